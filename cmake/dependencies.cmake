@@ -1,0 +1,22 @@
+# Every dependency, all from the distribution's packages.
+find_package(embree 3 REQUIRED)
+find_package(TBB REQUIRED)
+find_package(hwy REQUIRED)
+find_package(fmt REQUIRED)
+
+# Readers and pictures (scene_io), command line (apps)
+find_package(ZLIB REQUIRED)
+find_package(PNG REQUIRED)
+find_package(OpenEXR REQUIRED)
+find_package(tinyobjloader REQUIRED)
+find_package(TinyGLTF REQUIRED)
+find_package(assimp REQUIRED)
+find_package(Gemmi REQUIRED)
+find_package(Stb REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+
+if(PROJECT_IS_TOP_LEVEL)
+  find_package(GTest REQUIRED)
+  find_package(benchmark REQUIRED)
+endif()

@@ -1,0 +1,25 @@
+# One folder of penumbra/ = one target = one layer. A layer links only what stands above it.
+
+# Compiler settings that are part of the product: a picture is a test result, so no contraction to fused
+# multiply-adds and no fast-math. The two others change no result, only what may be vectorised.
+add_library(penumbra_settings INTERFACE)
+target_compile_features(penumbra_settings INTERFACE cxx_std_20)
+target_compile_options(penumbra_settings INTERFACE
+  -ffp-contract=off -fno-math-errno -fno-trapping-math -Wall -Wextra -Wpedantic -Wshadow
+  $<$<BOOL:${PENUMBRA_WERROR}>:-Werror>)
+target_compile_definitions(penumbra_settings INTERFACE $<$<BOOL:${PENUMBRA_ASSERTS}>:PENUMBRA_ASSERTS=1>)
+
+# penumbra_layer(shadow SOURCES … HEADERS … USES kernel scene LIBRARIES …)
+# HEADERS are the layer's public ones; LIBRARIES are private.
+function(penumbra_layer name)
+  cmake_parse_arguments(L "" "" "SOURCES;HEADERS;USES;LIBRARIES" ${ARGN})
+  add_library(penumbra_${name} STATIC ${L_SOURCES})
+  add_library(penumbra::${name} ALIAS penumbra_${name})
+  set_target_properties(penumbra_${name} PROPERTIES EXPORT_NAME ${name})
+  target_sources(penumbra_${name} PUBLIC
+    FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${L_HEADERS})
+  target_compile_features(penumbra_${name} PUBLIC cxx_std_20)
+  target_link_libraries(penumbra_${name} PRIVATE penumbra_settings ${L_LIBRARIES})
+  list(TRANSFORM L_USES PREPEND penumbra::)
+  target_link_libraries(penumbra_${name} PUBLIC ${L_USES})
+endfunction()

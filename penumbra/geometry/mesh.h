@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Indexed triangle meshes: data, cleaning, normals, and what is closed.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "penumbra/geometry/box.h"
+#include "penumbra/geometry/vec.h"
+
+namespace penumbra {
+
+/// Three positions of a mesh, counter-clockwise seen from outside.
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// Triangles over shared vertices. Every per-vertex array but `positions` is empty or as long as
+/// it; indices are below positions.size() and positions are finite once `validate` has seen the
+/// scene.
+struct Mesh {
+  std::vector<Vec3f> positions;  ///< world space, scene units
+  std::vector<Vec3f> normals;    ///< unit, for shading only; empty: faceted
+  std::vector<Vec2f> uvs;        ///< of the base colour texture
+  std::vector<Vec3f> colors;     ///< linear RGB, multiplies the diffuse colour
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> surfaces;  ///< a surface a triangle; empty: all have `surface`
+  std::uint32_t surface = 0;            ///< index of a material, not read by geometry or kernel
+  bool is_backdrop = false;             ///< a floor or wall: not part of the objects' extent
+};
+
+/// Surface of one triangle.
+inline std::uint32_t surface_of(const Mesh& mesh, std::size_t triangle) {
+  return mesh.surfaces.empty() ? mesh.surface : mesh.surfaces[triangle];
+}
+
+/// Drops triangles with two equal corners (by index or position), or whose corners lie on one line
+/// to double precision. Vertices stay. Returns how many went. Cost: linear.
+std::size_t drop_degenerate_triangles(Mesh& mesh);
+
+/// Normals averaged over the triangles around each position, weighted by angle (Thuermer &
+/// Wuethrich 1998), where adjacent triangles meet at less than `crease_angle_rad`; vertices are
+/// split at creases and equal positions count as one vertex. Replaces `normals`. Cost: linear for
+/// bounded vertex degree.
+void add_smooth_normals(Mesh& mesh, float crease_angle_rad);
+
+/// Which triangles enclose a volume. Positions that are equal count as one.
+struct MeshTopology {
+  std::vector<std::uint32_t> component;  ///< connected component of each triangle, by shared edges
+  std::vector<bool>
+      is_closed;  ///< a component: every edge is shared by an even number of triangles
+  std::size_t boundary_edges = 0;     ///< edges of one triangle
+  std::size_t nonmanifold_edges = 0;  ///< edges of three or more
+};
+
+/// Cost: O(n log n). Triangles must be free of degenerate ones.
+MeshTopology topology(const Mesh& mesh);
+
+/// Smallest box of all corners that triangles use.
+Box bounds(const Mesh& mesh);
+
+}  // namespace penumbra

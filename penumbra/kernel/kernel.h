@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Which primitives does a ray, or a packet of rays, meet? One interface, one intersector, two
+// kernels: the eight-wide hierarchy, and brute force, the judge.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "penumbra/geometry/light_sampling.h"
+#include "penumbra/geometry/shape.h"
+
+namespace penumbra {
+
+/// Points origin + t direction, t_min < t < t_max. The direction need not be unit length.
+struct Ray {
+  Vec3f origin, direction;
+  float t_min = 0, t_max = std::numeric_limits<float>::infinity();
+};
+
+/// The nearest primitive a ray meets.
+struct Hit {
+  float t = 0;
+  ShapeRef shape;
+  std::uint32_t tests = 0;  ///< primitives that were tested for it
+};
+
+enum class KernelKind { wide, brute };
+
+struct KernelOptions {
+  KernelKind kind = KernelKind::wide;
+  /// By surface: true where it does not block light. Shorter than the surfaces: the rest blocks.
+  std::vector<bool> casts_no_shadow;
+};
+
+class Kernel {
+ public:
+  /// Shapes are copied in the form that is traversed. They must be valid (see `validate`): finite,
+  /// in range. Cost: O(n log n) over all cores. Deterministic.
+  Kernel(const ShapeSet& shapes, const KernelOptions& options);
+  ~Kernel();
+  Kernel(Kernel&&) noexcept;
+  Kernel& operator=(Kernel&&) noexcept;
+
+  /// The nearest hit; nothing when there is none. Ties: the smaller ShapeRef in the order of
+  /// `all_primitives`.
+  struct ClosestResult {
+    std::optional<Hit> hit;
+    std::uint32_t tests = 0;
+  };
+  ClosestResult closest(const Ray& ray) const;
+
+  /// Which of the rays of one receiver are blocked. Bit i of `active` says that ray i is wanted;
+  /// bit i of `blocked` is set if and only if it is wanted and at least one shadow-casting
+  /// primitive meets its open segment. Both hold ceil(count / 32) words. Equal, bit for bit, for
+  /// every KernelKind and instruction set. Returns how many (ray, primitive) tests were made.
+  std::uint64_t occluded(const LightSamples& rays, std::span<const std::uint32_t> active,
+                         std::span<std::uint32_t> blocked) const;
+
+  std::size_t memory_bytes() const;
+  Box bounds() const;
+
+ private:
+  struct Data;
+  std::unique_ptr<const Data> data_;
+};
+
+}  // namespace penumbra

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Pictures as files: PNG (8-bit sRGB) and OpenEXR (32-bit float, any number of layers).
+#pragma once
+
+#include <filesystem>
+
+#include "penumbra/scene/image.h"
+
+namespace penumbra {
+
+/// By extension: `.png` takes the channels R, G, B times 2^exposure_ev (exposure is for PNG alone)
+/// and stores metadata as tEXt chunks, `.exr` stores all channels as they are and metadata as
+/// string attributes. Writes to a temporary name, then renames. Throws Error.
+void write_image(const std::filesystem::path& path, const Image& image, float exposure_ev = 0);
+
+/// Throws Error unless `write_image` could write there: known extension, writable folder. Call it
+/// before hours of work.
+void check_image_path(const std::filesystem::path& path);
+
+/// Reads PNG (R, G, B as stored codes / 255, not linearised) or EXR (all channels). Throws Error;
+/// more than 2^28 pixels are refused before anything is allocated.
+Image read_image(const std::filesystem::path& path);
+
+}  // namespace penumbra

@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: MIT
+#include "penumbra/scene_io/source.h"

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// A file's bytes, unzipped, with limits, for the readers; and what each reader is called with.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "penumbra/scene/error.h"
+#include "penumbra/scene/scene.h"
+#include "penumbra/scene_io/read_scene.h"
+
+namespace penumbra {
+
+/// Whole contents of a file and the name it has in messages.
+struct Source {
+  std::filesystem::path path;  ///< as given, for messages and for files beside it
+  std::string extension;       ///< lower case, without dot and without a final .gz
+  std::string bytes;           ///< decompressed
+};
+
+/// Reads and, where the content is gzip whatever the name, unpacks. Throws Error for files that
+/// cannot be read, directories, broken gzip, and more than 8 GiB of content (2 GiB of it unpacked
+/// from gzip).
+Source load(const std::filesystem::path& path);
+
+/// Warnings by kind: the first of each kind is kept with its line, the others are counted.
+class Warnings {
+ public:
+  explicit Warnings(std::string file) : file_(std::move(file)) {}
+  /// `kind` is the text that makes two warnings the same; line 0: none known.
+  void add(std::string_view kind, std::size_t line = 0);
+  /// "file:line: kind (and N more)"
+  std::vector<std::string> lines() const;
+
+ private:
+  struct Entry {
+    std::string kind;
+    std::size_t line = 0, count = 0;
+  };
+  std::string file_;
+  std::vector<Entry> entries_;
+};
+
+// The readers: bytes in, a scene out, not yet validated. All throw Error with line or byte.
+Scene read_nff(const Source& source, Warnings& warnings);
+Scene read_obj(const Source& source, Warnings& warnings);
+Scene read_ply(const Source& source, Warnings& warnings);
+Scene read_stl(const Source& source, Warnings& warnings);
+Scene read_gltf(const Source& source, Warnings& warnings);
+Scene read_molecule(const Source& source, const ReadOptions& options, Warnings& warnings);
+Scene read_assimp(const Source& source, Warnings& warnings);
+
+}  // namespace penumbra

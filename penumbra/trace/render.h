@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Scene + shadows -> picture.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "penumbra/kernel/kernel.h"
+#include "penumbra/scene/image.h"
+#include "penumbra/scene/scene.h"
+#include "penumbra/shadow/visibility.h"
+
+namespace penumbra {
+
+/// Image layers beside the colour.
+enum class Aov { light_class, visibility, depth, normal, samples };
+
+struct RenderOptions {
+  Method method = Method::stochastic;
+  std::uint32_t shadow_samples = 32;  ///< d, >= 1
+  std::uint32_t width = 512, height = 512;
+  std::uint32_t samples_per_pixel = 1;
+  std::uint32_t depth = 5;  ///< longest path of the ray tree, the camera ray being 1
+  std::uint64_t seed = 0;
+  std::uint32_t tile = 16;  ///< edge of the square tiles threads take, in pixels; changes no result
+  std::uint32_t threads = 0;  ///< 0: all
+  std::vector<Aov> aovs;
+  /// Called with the finished share in [0, 1], from any thread, one call at a time.
+  std::function<void(double)> progress;
+};
+
+/// Exact integers, equal for any number of threads and any tile size.
+struct RenderCounters {
+  std::uint64_t primary = 0, reflected = 0, refracted = 0;  ///< rays for closest hits
+  std::uint64_t closest_tests = 0;                          ///< primitives tested by them
+  ShadowCounters shadow;
+
+  void add(const RenderCounters& other);
+};
+
+struct RenderSeconds {
+  double render = 0;  ///< wall time of the picture
+  double shadow = 0;  ///< of it, in visibility; summed over threads, divided by their number
+};
+
+struct Picture {
+  Image image;  ///< linear R, G, B, then the layers asked for
+  RenderCounters counters;
+  RenderSeconds seconds;
+  std::uint32_t threads = 1;
+};
+
+/// The scene must be complete (`complete_scene`) and the kernel built from its shapes.
+/// Same scene, seed and options give the same bits for any `threads` and `tile`. Neither throws nor
+/// allocates per ray.
+Picture render(const Scene& scene, const Kernel& kernel, const RenderOptions& options);
+
+/// Everything about one pixel as text for people: each path of the ray tree, hit, normal, each
+/// light's class, visible fraction and samples.
+std::string explain_pixel(const Scene& scene, const Kernel& kernel, const RenderOptions& options,
+                          std::uint32_t x, std::uint32_t y);
+
+}  // namespace penumbra
