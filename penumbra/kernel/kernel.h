@@ -26,7 +26,6 @@ struct Ray {
 struct Hit {
   float t = 0;
   ShapeRef shape;
-  std::uint32_t tests = 0;  ///< primitives that were tested for it
 };
 
 enum class KernelKind { wide, brute };

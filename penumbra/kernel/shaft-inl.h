@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Shaft against the eight boxes of a node. A shaft is all rays from one origin whose directions lie
+// in a box of directions; a single ray is the shaft whose box is a point.
+//
+// Along each axis the shaft's extent at parameter t is [t D0, t D1] (relative to the origin), which
+// overlaps a box's [lo, hi] where t D1 >= lo and t D0 <= hi: two half-lines, each bounding t from
+// the side that the sign of its own slope says. For every ray of the shaft that meets a record
+// under the box in the sense of intersect-inl.h the test passes, exactly: reciprocal, product and
+// padding are monotone under rounding.
+//
+// Highway "inl" header: included once for each instruction set.
+
+#if defined(PENUMBRA_KERNEL_SHAFT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PENUMBRA_KERNEL_SHAFT_INL_H_
+#undef PENUMBRA_KERNEL_SHAFT_INL_H_
+#else
+#define PENUMBRA_KERNEL_SHAFT_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstdint>
+
+#include "penumbra/geometry/light_sampling.h"
+#include "penumbra/kernel/intersect-inl.h"
+#include "penumbra/kernel/wide_tree.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace penumbra::HWY_NAMESPACE {
+
+/// How the slopes D0 <= D1 of an axis lie to 0: decides which end of t each half-line bounds.
+enum class Slopes : std::uint8_t { rising, falling, widening };
+
+struct Shaft {
+  Vec3f origin;
+  float t_max;
+  Slopes slopes[3];
+  float inverse_least[3], inverse_most[3];  // 1 / D0, 1 / D1
+};
+
+HWY_INLINE Shaft make_shaft(Vec3f origin, Vec3f least, Vec3f most, float t_max) {
+  const hn::CappedTag<float, 1> d;
+  Shaft shaft{origin, t_max, {}, {}, {}};
+  for (int axis = 0; axis < 3; ++axis) {
+    shaft.slopes[axis] = least[axis] >= 0  ? Slopes::rising
+                         : most[axis] >= 0 ? Slopes::widening
+                                           : Slopes::falling;
+    shaft.inverse_least[axis] = hn::GetLane(safe_reciprocal(d, hn::Set(d, least[axis])));
+    shaft.inverse_most[axis] = hn::GetLane(safe_reciprocal(d, hn::Set(d, most[axis])));
+  }
+  return shaft;
+}
+
+/// The shaft around the rays first + i for the bits i of `active`.
+inline Shaft make_shaft(const LightSamples& rays, std::uint32_t first, std::uint32_t active) {
+  Vec3f least{FLT_MAX, FLT_MAX, FLT_MAX}, most = -least;
+  for (; active != 0; active &= active - 1) {
+    const std::uint32_t i = first + static_cast<std::uint32_t>(__builtin_ctz(active));
+    const Vec3f direction{rays.x[i], rays.y[i], rays.z[i]};
+    least = min(least, direction), most = max(most, direction);
+  }
+  return make_shaft(rays.origin, least, most, rays.t_max);
+}
+
+/// Bit mask of the node's children that the shaft meets for some t in [0, t_max], and a lower bound
+/// of that t for each.
+HWY_INLINE std::uint32_t overlap(const Shaft& shaft, const WideNode& node, float* near_out) {
+  const hn::CappedTag<float, WideNode::width> d;
+  std::uint32_t bits = 0;
+  for (std::size_t first = 0; first < WideNode::width; first += hn::Lanes(d)) {
+    using V = hn::Vec<decltype(d)>;
+    V lo[3], hi[3];
+    V reach = hn::Zero(d);
+    for (int axis = 0; axis < 3; ++axis) {
+      const V origin = hn::Set(d, shaft.origin[axis]);
+      lo[axis] = hn::Sub(hn::Load(d, node.lo[axis] + first), origin);
+      hi[axis] = hn::Sub(hn::Load(d, node.hi[axis] + first), origin);
+      reach = hn::Max(reach, hn::Max(hn::Abs(lo[axis]), hn::Abs(hi[axis])));
+    }
+    const V pad = hn::Mul(hn::Set(d, box_pad), reach);
+    V near = hn::Zero(d), far = hn::Set(d, shaft.t_max);
+    for (int axis = 0; axis < 3; ++axis) {
+      const V at_lo = hn::Mul(hn::Sub(lo[axis], pad), hn::Set(d, shaft.inverse_most[axis]));
+      const V at_hi = hn::Mul(hn::Add(hi[axis], pad), hn::Set(d, shaft.inverse_least[axis]));
+      switch (shaft.slopes[axis]) {
+        case Slopes::rising: near = hn::Max(near, at_lo), far = hn::Min(far, at_hi); break;
+        case Slopes::falling: near = hn::Max(near, at_hi), far = hn::Min(far, at_lo); break;
+        case Slopes::widening: near = hn::Max(near, hn::Max(at_lo, at_hi)); break;
+      }
+    }
+    hn::Store(near, d, near_out + first);
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, hn::Le(near, far), bytes);
+    bits |= std::uint32_t(bytes[0]) << first;
+  }
+  return bits & node.used;
+}
+
+}  // namespace penumbra::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include once for each instruction set

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The eight-wide hierarchy: nodes of eight boxes, records in leaf order.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "penumbra/geometry/shape.h"
+#include "penumbra/kernel/record.h"
+
+namespace penumbra {
+
+/// Either an inner node's index, or a run of records.
+class NodeRef {
+ public:
+  static constexpr std::uint32_t most_records = 16;
+
+  NodeRef() = default;
+  static NodeRef inner(std::uint32_t node) { return NodeRef(node); }
+  /// first < 2^27, 1 <= count <= most_records
+  static NodeRef leaf(std::uint32_t first, std::uint32_t count) {
+    return NodeRef(0x80000000u | (count - 1) << 27 | first);
+  }
+  bool is_leaf() const { return bits_ >> 31; }
+  std::uint32_t node() const { return bits_; }
+  std::uint32_t first() const { return bits_ & 0x7ffffffu; }
+  std::uint32_t count() const { return (bits_ >> 27 & 15) + 1; }
+
+ private:
+  explicit NodeRef(std::uint32_t bits) : bits_(bits) {}
+  std::uint32_t bits_ = 0;
+};
+
+/// Boxes of up to eight children, one array a plane; the used ones come first.
+struct alignas(64) WideNode {
+  static constexpr int width = 8;
+  float lo[3][width] = {};
+  float hi[3][width] = {};
+  NodeRef child[width];
+  std::uint32_t used = 0;  ///< bit mask of the children
+};
+
+/// (1) Every record lies in exactly one leaf; (2) every node's box holds the boxes of its records
+/// (`bounds(Record)`) exactly; (3) the same shapes give the same tree, whatever the number of
+/// threads.
+struct WideTree {
+  std::vector<WideNode> nodes;  ///< the first is the root; empty when nothing can be hit
+  std::vector<Record> records;
+  std::size_t memory_bytes() const {
+    return nodes.capacity() * sizeof(WideNode) + records.capacity() * sizeof(Record);
+  }
+};
+
+/// Surface area heuristic by Embree's builder (`rtcBuildBVH`, high quality). Throws
+/// std::runtime_error when Embree cannot be had, std::length_error for 2^27 records and more.
+WideTree build_wide_tree(std::vector<Record> records);
+
+}  // namespace penumbra
