@@ -100,7 +100,7 @@ WideTree build_wide_tree(std::vector<Record> records) {
   RTCBuildArguments arguments = rtcDefaultBuildArguments();
   arguments.buildQuality = RTC_BUILD_QUALITY_HIGH;
   arguments.maxBranchingFactor = WideNode::width;
-  arguments.maxDepth = 64;
+  arguments.maxDepth = most_levels;
   arguments.minLeafSize = 1;
   arguments.maxLeafSize = 8;
   arguments.traversalCost = 1;

@@ -36,11 +36,12 @@ struct Shaft {
   float t_max;
   Slopes slopes[3];
   float inverse_least[3], inverse_most[3];  // 1 / D0, 1 / D1
+  float spread;                             // the largest D1 - D0
 };
 
 HWY_INLINE Shaft make_shaft(Vec3f origin, Vec3f least, Vec3f most, float t_max) {
   const hn::CappedTag<float, 1> d;
-  Shaft shaft{origin, t_max, {}, {}, {}};
+  Shaft shaft{origin, t_max, {}, {}, {}, max_abs(most - least)};
   for (int axis = 0; axis < 3; ++axis) {
     shaft.slopes[axis] = least[axis] >= 0  ? Slopes::rising
                          : most[axis] >= 0 ? Slopes::widening
@@ -62,11 +63,16 @@ inline Shaft make_shaft(const LightSamples& rays, std::uint32_t first, std::uint
   return make_shaft(rays.origin, least, most, rays.t_max);
 }
 
-/// Bit mask of the node's children that the shaft meets for some t in [0, t_max], and a lower bound
-/// of that t for each.
-HWY_INLINE std::uint32_t overlap(const Shaft& shaft, const WideNode& node, float* near_out) {
+/// Children of a node that a shaft meets, as bit masks.
+struct Overlap {
+  std::uint32_t met = 0;   // for some t in [0, t_max]
+  std::uint32_t wide = 0;  // there the shaft is wider than half the child's box
+};
+
+/// Also writes a lower bound of that t for each child.
+HWY_INLINE Overlap overlap(const Shaft& shaft, const WideNode& node, float* near_out) {
   const hn::CappedTag<float, WideNode::width> d;
-  std::uint32_t bits = 0;
+  Overlap result;
   for (std::size_t first = 0; first < WideNode::width; first += hn::Lanes(d)) {
     using V = hn::Vec<decltype(d)>;
     V lo[3], hi[3];
@@ -91,9 +97,15 @@ HWY_INLINE std::uint32_t overlap(const Shaft& shaft, const WideNode& node, float
     hn::Store(near, d, near_out + first);
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(d, hn::Le(near, far), bytes);
-    bits |= std::uint32_t(bytes[0]) << first;
+    result.met |= std::uint32_t(bytes[0]) << first;
+    const V extent =
+        hn::Max(hn::Sub(hi[0], lo[0]), hn::Max(hn::Sub(hi[1], lo[1]), hn::Sub(hi[2], lo[2])));
+    const V width = hn::Mul(near, hn::Set(d, shaft.spread));
+    hn::StoreMaskBits(d, hn::Gt(hn::Add(width, width), extent), bytes);
+    result.wide |= std::uint32_t(bytes[0]) << first;
   }
-  return bits & node.used;
+  result.met &= node.used;
+  return result;
 }
 
 }  // namespace penumbra::HWY_NAMESPACE

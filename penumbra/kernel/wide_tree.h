@@ -29,7 +29,7 @@ class NodeRef {
 
  private:
   explicit NodeRef(std::uint32_t bits) : bits_(bits) {}
-  std::uint32_t bits_ = 0;
+  std::uint32_t bits_;  // trivial: traversal stacks must not be cleared for each ray
 };
 
 /// Boxes of up to eight children, one array a plane; the used ones come first.
@@ -37,9 +37,13 @@ struct alignas(64) WideNode {
   static constexpr int width = 8;
   float lo[3][width] = {};
   float hi[3][width] = {};
-  NodeRef child[width];
+  NodeRef child[width] = {};
   std::uint32_t used = 0;  ///< bit mask of the children
 };
+
+/// No tree is deeper; what a traversal's stack can hold follows from it.
+inline constexpr int most_levels = 64;
+inline constexpr int stack_size = most_levels * WideNode::width;
 
 /// (1) Every record lies in exactly one leaf; (2) every node's box holds the boxes of its records
 /// (`bounds(Record)`) exactly; (3) the same shapes give the same tree, whatever the number of
