@@ -34,15 +34,22 @@ inline std::uint32_t surface_of(const Mesh& mesh, std::size_t triangle) {
   return mesh.surfaces.empty() ? mesh.surface : mesh.surfaces[triangle];
 }
 
+// The functions below need indices below positions.size(); positions may be anything.
+
 /// Drops triangles with two equal corners (by index or position), or whose corners lie on one line
 /// to double precision. Vertices stay. Returns how many went. Cost: linear.
 std::size_t drop_degenerate_triangles(Mesh& mesh);
 
 /// Normals averaged over the triangles around each position, weighted by angle (Thuermer &
 /// Wuethrich 1998), where adjacent triangles meet at less than `crease_angle_rad`; vertices are
-/// split at creases and equal positions count as one vertex. Replaces `normals`. Cost: linear for
-/// bounded vertex degree.
+/// split at creases and equal positions count as one vertex. Edges of more than 16 triangles are
+/// creases. Replaces `normals`; vertices that no triangle uses get some unit vector.
+/// Cost: O(n log n).
 void add_smooth_normals(Mesh& mesh, float crease_angle_rad);
+
+/// For each vertex the first vertex at the same position: itself, or one before it.
+/// Cost: O(n log n).
+std::vector<std::uint32_t> welded_vertices(const Mesh& mesh);
 
 /// Which triangles enclose a volume. Positions that are equal count as one.
 struct MeshTopology {

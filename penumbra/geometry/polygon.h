@@ -17,9 +17,10 @@ Vec3d polygon_normal(std::span<const Vec3f> corners);
 /// Triangles over the corners' indices, with the polygon's orientation.
 /// (1) A simple planar polygon of n corners gives n - 2 triangles that cover it once.
 /// (2) A polygon that crosses itself, is not planar or has repeated corners gives at most n - 2
-/// triangles,
-///     never a crash or an endless loop.
-/// Cost: O(n²) at worst; convex polygons are fanned in O(n).
+///     triangles, never a crash or an endless loop. Bridges to holes are fine.
+/// Cost: O(n) for convex polygons (fanned), near O(n) for usual concave ones; bounded by some 50
+/// microseconds a corner. What is left then, of contrived outlines of more than 10⁴ corners, is cut
+/// without care.
 std::vector<Triangle> triangulate(std::span<const Vec3f> corners);
 
 }  // namespace penumbra
