@@ -3,6 +3,8 @@
 // the built-in scenes that agree with files.
 #pragma once
 
+#include <cstddef>
+
 #include "penumbra/scene/material.h"
 
 namespace penumbra {
@@ -11,6 +13,10 @@ namespace penumbra {
 /// the mirror, as in the format; `shine` of 100000 (how the SPD writes a half-intensity angle of 0)
 /// means no highlight. The index of refraction counts only where t > 0.
 Material nff_material(Color display_rgb, float kd, float ks, float shine, float t, float ior);
+
+/// Irradiance of each of `count` lights that have no colour of their own: sqrt(L) / (2 L), as the
+/// SPD suggests.
+float nff_light_intensity(std::size_t count);
 
 /// A display colour of an NFF file as linear RGB.
 Color nff_color(Color display_rgb);
