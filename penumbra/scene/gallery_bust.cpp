@@ -28,10 +28,10 @@ std::vector<double> graded_planes(double low, double high, double focus, double 
 
 Scene bust_scene() {
   Scene scene;
-  const double h = 0.03;
-  const GridPlanes planes{graded_planes(-1.75, 1.75, 0, 0.6, 0.8 * h, 1.25 * h),
-                          graded_planes(-1.3, 1.35, -0.8, 0.4, 0.8 * h, 1.2 * h),
-                          graded_planes(bust_bottom - 0.1, 2.6, 1.0, 0.8, 0.8 * h, 1.25 * h)};
+  const double h = 0.0312;
+  const GridPlanes planes{graded_planes(-1.75, 1.75, 0, 0.5, 0.75 * h, 1.25 * h),
+                          graded_planes(-1.3, 1.35, -0.8, 0.5, 0.75 * h, 1.25 * h),
+                          graded_planes(bust_bottom - 0.1, 2.6, 0.9, 0.6, 0.75 * h, 1.25 * h)};
   scene.shapes.meshes.push_back(surface_nets(planes, bust_field, bust_steepness));
   Material stone = matte("stone", {0.72f, 0.68f, 0.6f});
   stone.highlight = {0.06f, 0.06f, 0.06f};
@@ -41,13 +41,13 @@ Scene bust_scene() {
   scene.shapes.meshes.push_back(backdrop_quad({-150, -150, floor}, {150, -150, floor},
                                               {150, 150, floor}, {-150, 150, floor}, 1));
   Camera camera;
-  camera.at = {0, 0, -0.4};
-  camera.from = {4.2, -9.5, 1.6};
-  camera.fov_deg = 34;
+  camera.at = {0, 0.1, -0.42};
+  camera.from = {3.4, -9.6, 1.5};
+  camera.fov_deg = 33;
   scene.camera = camera;
-  scene.background = Color{0.55f, 0.6f, 0.67f};
+  scene.background = Color{0.1f, 0.105f, 0.115f};
   scene.ambient = {0.16f, 0.16f, 0.17f};
-  scene.lights = {ball_light({-7, -8.5f, 8}, 0.9f, 0.85f)};
+  scene.lights = {ball_light({-4.2f, -10, 7.5f}, 0.8f, 0.85f)};
   return scene;
 }
 

@@ -23,9 +23,17 @@ struct Samples {
   float at(Cell c) const { return values[index(c)]; }
 };
 
+/// Calls back with every cell's low corner, from the `first`-th cell along each axis on.
+template <typename Visit>
+void for_each_cell(const Samples& samples, std::size_t first, Visit&& visit) {
+  for (std::size_t z = first; z + 1 < samples.size(2); ++z)
+    for (std::size_t y = first; y + 1 < samples.size(1); ++y)
+      for (std::size_t x = first; x + 1 < samples.size(0); ++x) visit(Cell{x, y, z});
+}
+
 /// Fills blocks of points; those that the surface cannot reach get the value of their middle.
 void fill(Samples& samples, Field field, double steepness) {
-  constexpr std::size_t block = 6;
+  constexpr std::size_t block = 4;
   Cell low{}, high{};
   const auto fill_block = [&] {
     const Vec3d a = samples.point(low), b = samples.point({high[0] - 1, high[1] - 1, high[2] - 1});
@@ -48,16 +56,60 @@ void fill(Samples& samples, Field field, double steepness) {
       }
 }
 
-/// Central differences.
+/// Corner `bits` of a cell: bit i says whether it is at the cell's upper end along axis i.
+Cell corner_of(Cell c, int bits) {
+  for (int axis = 0; axis < 3; ++axis) c[axis] += (bits >> axis) & 1;
+  return c;
+}
+
+/// Which corners of a cell are inside, as bits.
+unsigned signs(const Samples& samples, Cell c) {
+  unsigned inside = 0;
+  for (int bits = 0; bits < 8; ++bits)
+    inside |= static_cast<unsigned>(samples.at(corner_of(c, bits)) < 0) << bits;
+  return inside;
+}
+
+/// An outer corner between inner ones that touch only across a face's diagonal, or across the
+/// cell's: there two sheets of the surface would share an edge or a vertex. -1: none.
+int pinched_corner(unsigned inside) {
+  const auto is_inside = [&](int bits) { return ((inside >> bits) & 1) != 0; };
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
+    for (int side : {0, 1 << axis})
+      if (is_inside(side) == is_inside(side | u | v) &&
+          is_inside(side | u) == is_inside(side | v) && is_inside(side) != is_inside(side | u))
+        return is_inside(side) ? side | u : side;
+  }
+  for (int bits = 0; bits < 4; ++bits) {
+    const unsigned diagonal = 1u << bits | 1u << (7 - bits);
+    if (inside == diagonal) return bits ^ 1;
+    if (inside == (0xffu & ~diagonal)) return bits;
+  }
+  return -1;
+}
+
+/// Takes such corners in until there are none. Ends, since points only ever go inside.
+void part_sheets(Samples& samples) {
+  for (bool has_changed = true; has_changed;) {
+    has_changed = false;
+    for_each_cell(samples, 0, [&](Cell c) {
+      const unsigned inside = signs(samples, c);
+      const int corner = inside == 0 || inside == 0xff ? -1 : pinched_corner(inside);
+      if (corner < 0) return;
+      samples.values[samples.index(corner_of(c, corner))] = -std::numeric_limits<float>::epsilon();
+      has_changed = true;
+    });
+  }
+}
+
+/// Differences along the corners of a small tetrahedron, which need four values instead of six.
 Vec3d gradient(Field field, Vec3d p) {
   constexpr double step = 1e-3;
-  Vec3d g;
-  for (int axis = 0; axis < 3; ++axis) {
-    Vec3d a = p, b = p;
-    a[axis] -= step, b[axis] += step;
-    g[axis] = (field(b) - field(a)) / (2 * step);
-  }
-  return g;
+  constexpr std::array<Vec3d, 4> corners{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}};
+  Vec3d sum;
+  for (Vec3d corner : corners) sum += corner * field(p + corner * step);
+  return sum / (4 * step);
 }
 
 /// Mean of the points where the surface crosses the cell's edges; nothing where it crosses none.
@@ -81,17 +133,14 @@ bool crossing(const Samples& samples, Cell c, Vec3d& mean) {
   return true;
 }
 
-/// Two Newton steps towards the surface that stay in the cell, then the normal there.
+/// Two steps towards the surface that stay in the cell, then the normal there.
 void add_vertex(Mesh& mesh, const Samples& samples, Field field, Cell c, Vec3d p) {
   const Vec3d low = samples.point(c), high = samples.point({c[0] + 1, c[1] + 1, c[2] + 1});
-  Vec3d g = gradient(field, p);
-  for (int step = 0; step < 2; ++step) {
-    if (!(length_squared(g) > 1e-6)) break;
-    p = max(low, min(high, p - g * (field(p) / length_squared(g))));
-    g = gradient(field, p);
-  }
+  const Vec3d slope = gradient(field, p);
+  const double steep = std::max(length_squared(slope), 0.1);
+  for (int step = 0; step < 2; ++step) p = max(low, min(high, p - slope * (field(p) / steep)));
   mesh.positions.push_back(Vec3f(p));
-  mesh.normals.push_back(Vec3f(normalize(g)));
+  mesh.normals.push_back(Vec3f(normalize(gradient(field, p))));
 }
 
 /// The quadrilateral of the four cells around a grid edge, cut along its shorter diagonal.
@@ -116,21 +165,17 @@ Mesh surface_nets(const GridPlanes& planes, double (*field)(Vec3d), double steep
   Samples samples{planes, {}};
   samples.values.resize(samples.size(0) * samples.size(1) * samples.size(2));
   fill(samples, field, steepness);
+  part_sheets(samples);
 
   Mesh mesh;
   std::vector<std::uint32_t> vertex(samples.values.size(), no_vertex);  // by the cell's low corner
-  const auto for_each_cell = [&](std::size_t first, auto&& visit) {
-    for (std::size_t z = first; z + 1 < samples.size(2); ++z)
-      for (std::size_t y = first; y + 1 < samples.size(1); ++y)
-        for (std::size_t x = first; x + 1 < samples.size(0); ++x) visit(Cell{x, y, z});
-  };
-  for_each_cell(0, [&](Cell c) {
+  for_each_cell(samples, 0, [&](Cell c) {
     Vec3d mean;
     if (!crossing(samples, c, mean)) return;
     vertex[samples.index(c)] = static_cast<std::uint32_t>(mesh.positions.size());
     add_vertex(mesh, samples, field, c, mean);
   });
-  for_each_cell(1, [&](Cell c) {
+  for_each_cell(samples, 1, [&](Cell c) {
     for (int axis = 0; axis < 3; ++axis) {
       Cell next = c;
       ++next[axis];
