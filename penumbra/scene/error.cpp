@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/scene/error.h"
 
+#include <fmt/format.h>
+
 namespace penumbra {
 
 Error::Error(Place where, std::string what, std::string hint_)
@@ -12,9 +14,9 @@ Error::Error(Place where, std::string what, std::string hint_)
 std::string message(const Error::Place& place, const std::string& problem,
                     const std::string& hint) {
   std::string text = place.file;
-  if (place.line) text += ":" + std::to_string(*place.line);
+  if (place.line) text += fmt::format(":{}", *place.line);
   if (!text.empty()) text += ": ";
-  if (place.byte) text += "byte " + std::to_string(*place.byte) + ": ";
+  if (place.byte) text += fmt::format("byte {}: ", *place.byte);
   text += problem;
   if (!hint.empty()) text += "; " + hint;
   return text;

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "penumbra/scene/framing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace penumbra::detail {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double azimuth_rad = 28 * degree;    // to the viewer's right of the front
+constexpr double elevation_rad = 20 * degree;  // above the horizontal
+constexpr double margin = 0.08;                // of the picture, on each side
+
+/// How far a disk around `normal` reaches beyond its centre.
+double disk_reach(Vec3d normal, double radius, Vec3d direction) {
+  const double along = dot(normalize(normal), direction);
+  return radius * std::sqrt(std::max(0.0, length_squared(direction) - along * along));
+}
+
+bool is_backdrop(const Mesh& mesh) { return mesh.is_backdrop; }
+
+bool has_objects(const ShapeSet& shapes) {
+  return !shapes.spheres.empty() || !shapes.cones.empty() || !shapes.rings.empty() ||
+         !std::all_of(shapes.meshes.begin(), shapes.meshes.end(), is_backdrop);
+}
+
+}  // namespace
+
+Subject subject_of(const ShapeSet& shapes) {
+  Subject subject;
+  subject.box = has_objects(shapes) ? object_bounds(shapes) : bounds(shapes);
+  subject.center = Vec3d(subject.box.center());
+  subject.extent =
+      std::max<double>(subject.box.largest_extent(), std::numeric_limits<float>::min());
+  return subject;
+}
+
+double reach(const ShapeSet& shapes, Vec3d direction) {
+  double farthest = -std::numeric_limits<double>::infinity();
+  const auto add = [&](Vec3f p, double further) {
+    farthest = std::max(farthest, dot(Vec3d(p), direction) + further);
+  };
+  const double unit = length(direction);
+  for (const Sphere& s : shapes.spheres) add(s.center, s.radius * unit);
+  for (const Cone& c : shapes.cones) {
+    const Vec3d axis = Vec3d(c.apex) - Vec3d(c.base);
+    add(c.base, disk_reach(axis, c.base_radius, direction));
+    add(c.apex, disk_reach(axis, c.apex_radius, direction));
+  }
+  for (const Ring& r : shapes.rings)
+    add(r.center, disk_reach(Vec3d(r.normal), r.radius, direction));
+  const bool without_backdrops = has_objects(shapes);
+  for (const Mesh& mesh : shapes.meshes) {
+    if (without_backdrops && mesh.is_backdrop) continue;
+    for (const Triangle& triangle : mesh.triangles)
+      for (std::uint32_t corner : triangle) add(mesh.positions[corner], 0);
+  }
+  return farthest;
+}
+
+Vec3d front(Vec3d up) {
+  const Vec3d toward = std::abs(up.z) > 0.9 ? Vec3d{0, -1, 0} : Vec3d{0, 0, 1};
+  return normalize(toward - up * dot(toward, up));
+}
+
+Vec3d rotated(Vec3d v, Vec3d axis, double angle_rad) {
+  return v * std::cos(angle_rad) + cross(axis, v) * std::sin(angle_rad) +
+         axis * (dot(axis, v) * (1 - std::cos(angle_rad)));
+}
+
+Camera camera_around(const ShapeSet& shapes, Vec3d up, double fov_deg) {
+  const Subject subject = subject_of(shapes);
+  const Vec3d aside = rotated(front(up), up, azimuth_rad);
+  const Vec3d forward = -(aside * std::cos(elevation_rad) + up * std::sin(elevation_rad));
+  const Vec3d right = normalize(cross(forward, up));
+  const Vec3d top = cross(right, forward);
+
+  // In view coordinates, a camera at (x, y, z) sees a point whose offset is (a, b, c) if |a| and
+  // |b| are at most k c. So each side of the frustum touches where the objects reach farthest along
+  // that side's normal; opposite sides meet at the camera.
+  const double k = std::tan(fov_deg / 2 * degree) * (1 - 2 * margin);
+  const double at_right = reach(shapes, right - forward * k);
+  const double at_left = reach(shapes, -right - forward * k);
+  const double at_top = reach(shapes, top - forward * k);
+  const double at_bottom = reach(shapes, -top - forward * k);
+  const double nearest = dot(subject.center, forward) - subject.extent;
+  const double z =
+      std::min({-(at_right + at_left) / (2 * k), -(at_top + at_bottom) / (2 * k), nearest});
+
+  Camera camera;
+  camera.from = right * ((at_right - at_left) / 2) + top * ((at_top - at_bottom) / 2) + forward * z;
+  camera.at = camera.from + forward * (dot(subject.center, forward) - z);
+  camera.up = up;
+  camera.fov_deg = fov_deg;
+  return camera;
+}
+
+}  // namespace penumbra::detail

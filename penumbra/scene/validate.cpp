@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <type_traits>
+
+#include <fmt/format.h>
+
+#include "penumbra/scene/error.h"
+#include "penumbra/scene/scene.h"
+
+namespace penumbra {
+
+namespace {
+
+/// Squares of what lies within it are far inside float's range.
+constexpr double largest_coordinate = 1e15;
+
+// Comparisons are written so that NaN fails them.
+template <typename Number>
+bool is_coordinate(Vec3<Number> p) {
+  return std::abs(p.x) <= largest_coordinate && std::abs(p.y) <= largest_coordinate &&
+         std::abs(p.z) <= largest_coordinate;
+}
+bool is_radius(float r) { return r > 0 && r <= largest_coordinate; }
+bool is_color(Color c) { return is_finite(c) && c.x >= 0 && c.y >= 0 && c.z >= 0; }
+
+/// Names the scene in the errors that its checks throw.
+class Checker {
+ public:
+  explicit Checker(std::string scene_name) : scene_name_(std::move(scene_name)) {}
+
+  void require(bool holds, const char* thing, std::size_t index, const char* problem,
+               const char* hint) const {
+    if (!holds)
+      throw Error({scene_name_, {}, {}}, fmt::format("{} {} {}", thing, index, problem), hint);
+  }
+  void require(bool holds, const char* problem, const char* hint) const {
+    if (!holds) throw Error({scene_name_, {}, {}}, problem, hint);
+  }
+
+ private:
+  std::string scene_name_;
+};
+
+constexpr const char* coordinate_problem = "has a coordinate that is not a number within ±1e15";
+constexpr const char* coordinate_hint = "mend the number, or scale the scene";
+constexpr const char* radius_problem = "has a radius that is not above 0 and within 1e15";
+constexpr const char* radius_hint = "give it a size, or leave it out";
+constexpr const char* surface_problem = "names a material that does not exist";
+constexpr const char* surface_hint = "number materials from 0";
+constexpr const char* color_problem = "has a colour that is negative or not finite";
+constexpr const char* color_hint = "give numbers from 0 up";
+
+void check_materials(const Scene& scene, const Checker& check) {
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const Material& m = scene.materials[i];
+    for (Color c : {m.diffuse, m.highlight, m.mirror, m.transmission, m.emission})
+      check.require(is_color(c), "material", i, color_problem, color_hint);
+    check.require(m.shininess >= 0 && std::isfinite(m.shininess), "material", i,
+                  "has a shininess that is negative or not finite", color_hint);
+    check.require(m.refraction_index > 0 && std::isfinite(m.refraction_index), "material", i,
+                  "has a refraction index that is not above 0", "use 1 for none");
+    check.require(m.texture >= -1 && m.texture < static_cast<std::int64_t>(scene.textures.size()),
+                  "material", i, "names a texture that does not exist", "use -1 for none");
+  }
+  for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+    const Texture& t = scene.textures[i];
+    check.require(t.pixels.size() == std::uint64_t{t.width} * t.height, "texture", i,
+                  "has more or fewer pixels than its size says", "give width x height of them");
+  }
+}
+
+void check_shapes(Scene& scene, const Checker& check) {
+  ShapeSet& shapes = scene.shapes;
+  const std::size_t materials = scene.materials.size();
+  constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
+  check.require(shapes.spheres.size() < most && shapes.cones.size() < most &&
+                    shapes.rings.size() < most && shapes.meshes.size() < most,
+                "more shapes of a kind than 32 bits can count", "split the scene");
+  for (std::size_t i = 0; i < shapes.spheres.size(); ++i) {
+    const Sphere& s = shapes.spheres[i];
+    check.require(is_coordinate(s.center), "sphere", i, coordinate_problem, coordinate_hint);
+    check.require(is_radius(s.radius), "sphere", i, radius_problem, radius_hint);
+    check.require(s.surface < materials, "sphere", i, surface_problem, surface_hint);
+  }
+  for (std::size_t i = 0; i < shapes.cones.size(); ++i) {
+    const Cone& c = shapes.cones[i];
+    check.require(is_coordinate(c.base) && is_coordinate(c.apex), "cone", i, coordinate_problem,
+                  coordinate_hint);
+    check.require((is_radius(c.base_radius) || c.base_radius == 0) &&
+                      (is_radius(c.apex_radius) || c.apex_radius == 0) &&
+                      (c.base_radius > 0 || c.apex_radius > 0),
+                  "cone", i, "has a radius that is negative or beyond 1e15, or two that are 0",
+                  radius_hint);
+    check.require(c.base != c.apex, "cone", i, "has its base where its apex is", radius_hint);
+    check.require(c.surface < materials, "cone", i, surface_problem, surface_hint);
+  }
+  for (std::size_t i = 0; i < shapes.rings.size(); ++i) {
+    Ring& r = shapes.rings[i];
+    check.require(is_coordinate(r.center), "ring", i, coordinate_problem, coordinate_hint);
+    check.require(is_radius(r.radius), "ring", i, radius_problem, radius_hint);
+    check.require(r.inner_radius >= 0 && r.inner_radius < r.radius, "ring", i,
+                  "has an inner radius that is not within its radius", radius_hint);
+    r.normal = normalize(r.normal);
+    check.require(r.normal != Vec3f{}, "ring", i, "has no normal", "give it a direction");
+    check.require(r.surface < materials, "ring", i, surface_problem, surface_hint);
+  }
+}
+
+/// Unit normals; where one is zero or not finite, the mean of the faces around the vertex.
+void mend_normals(Mesh& mesh) {
+  std::vector<std::uint32_t> missing;
+  for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+    mesh.normals[i] = is_finite(mesh.normals[i]) ? normalize(mesh.normals[i]) : Vec3f{};
+    if (mesh.normals[i] == Vec3f{}) missing.push_back(static_cast<std::uint32_t>(i));
+  }
+  if (missing.empty()) return;
+
+  std::vector<Vec3d> faces(mesh.positions.size());
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3d a(mesh.positions[t[0]]), b(mesh.positions[t[1]]), c(mesh.positions[t[2]]);
+    for (std::uint32_t corner : t) faces[corner] += cross(b - a, c - a);
+  }
+  for (std::uint32_t vertex : missing) {
+    const Vec3f normal(normalize(faces[vertex]));
+    mesh.normals[vertex] = normal == Vec3f{} ? Vec3f{0, 0, 1} : normal;
+  }
+}
+
+void check_mesh(const Mesh& mesh, std::size_t i, std::size_t materials, const Checker& check) {
+  const std::size_t vertices = mesh.positions.size();
+  constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
+  check.require(vertices < most && mesh.triangles.size() < most, "mesh", i,
+                "has more parts than 32 bits can count", "split it");
+  const auto fits = [&](std::size_t size) { return size == 0 || size == vertices; };
+  check.require(fits(mesh.normals.size()) && fits(mesh.uvs.size()) && fits(mesh.colors.size()),
+                "mesh", i, "has normals, texture coordinates or colours for some vertices only",
+                "give each vertex one, or none at all");
+  check.require(mesh.surfaces.empty() || mesh.surfaces.size() == mesh.triangles.size(), "mesh", i,
+                "has materials for some triangles only", "give each triangle one, or none at all");
+  for (Vec3f p : mesh.positions)
+    check.require(is_coordinate(p), "mesh", i, coordinate_problem, coordinate_hint);
+  for (Color c : mesh.colors) check.require(is_color(c), "mesh", i, color_problem, color_hint);
+  for (const Triangle& t : mesh.triangles)
+    check.require(t[0] < vertices && t[1] < vertices && t[2] < vertices, "mesh", i,
+                  "has a triangle with a vertex that does not exist", "number vertices from 0");
+  check.require(mesh.surface < materials, "mesh", i, surface_problem, surface_hint);
+  for (std::uint32_t surface : mesh.surfaces)
+    check.require(surface < materials, "mesh", i, surface_problem, surface_hint);
+}
+
+/// Checks all meshes, then mends them; returns how many degenerate triangles went.
+std::size_t check_meshes(Scene& scene, const Checker& check) {
+  std::vector<Mesh>& meshes = scene.shapes.meshes;
+  std::size_t dropped = 0;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    check_mesh(meshes[i], i, scene.materials.size(), check);
+    dropped += drop_degenerate_triangles(meshes[i]);
+    mend_normals(meshes[i]);
+    for (Vec2f& uv : meshes[i].uvs)
+      if (!std::isfinite(uv.u) || !std::isfinite(uv.v)) uv = {};
+  }
+  std::erase_if(meshes, [](const Mesh& mesh) { return mesh.triangles.empty(); });
+  return dropped;
+}
+
+bool is_parallelogram(const ParallelogramLight& light) {
+  const Vec3d u = normalize(Vec3d(light.u)), v = normalize(Vec3d(light.v));
+  return is_coordinate(light.u) && is_coordinate(light.v) && length(cross(u, v)) > 1e-6;
+}
+
+void check_lights(Scene& scene, const Checker& check) {
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    Light& light = scene.lights[i];
+    check.require(is_color(light.intensity), "light", i, color_problem, color_hint);
+    if (auto* sun = std::get_if<SunLight>(&light.shape)) {
+      sun->direction = is_finite(sun->direction) ? normalize(sun->direction) : Vec3f{};
+      check.require(sun->direction != Vec3f{}, "light", i, "has no direction",
+                    "point it at the sun");
+      check.require(sun->half_angle_rad >= 0 && sun->half_angle_rad < std::numbers::pi_v<float> / 2,
+                    "light", i, "has an angular diameter outside [0, 180) degrees", "use 0.53");
+      continue;
+    }
+    const std::optional<Vec3f> position = center(light.shape);
+    check.require(position && is_coordinate(*position), "light", i, coordinate_problem,
+                  coordinate_hint);
+    if (const auto* ball = std::get_if<BallLight>(&light.shape))
+      check.require(is_radius(ball->radius), "light", i, radius_problem, radius_hint);
+    if (const auto* panel = std::get_if<ParallelogramLight>(&light.shape))
+      check.require(is_parallelogram(*panel), "light", i, "is no parallelogram",
+                    "give two half edges that are not parallel");
+  }
+}
+
+void check_surroundings(Scene& scene, const Checker& check) {
+  check.require(is_color(scene.ambient) && (!scene.background || is_color(*scene.background)),
+                "the background or the ambient light is negative or not finite", color_hint);
+  scene.up = normalize(scene.up);
+  check.require(scene.up != Vec3d{}, "no direction is up", "give one that is not 0");
+  if (!scene.camera) return;
+  const Camera& camera = *scene.camera;
+  check.require(is_coordinate(camera.from) && is_coordinate(camera.at) &&
+                    is_coordinate(camera.up) && std::isfinite(camera.fov_deg),
+                "the camera has a number that is not finite and within ±1e15", coordinate_hint);
+  check.require(camera.near >= 0 && camera.near <= largest_coordinate,
+                "the camera's near distance is negative or not finite", "use 0 for none");
+  check.require(camera.width > 0 && camera.height > 0, "the camera's resolution is 0",
+                "use 512 x 512");
+}
+
+}  // namespace
+
+ValidationReport validate(Scene& scene) {
+  const Checker check(scene.name);
+  if (scene.materials.empty()) scene.materials.emplace_back();
+  check_materials(scene, check);
+  check_shapes(scene, check);
+  ValidationReport report;
+  report.degenerate_triangles = check_meshes(scene, check);
+  check.require(primitive_count(scene.shapes) > 0, "nothing to draw",
+                "give it a sphere, a cone or a triangle that is not degenerate");
+  check_lights(scene, check);
+  check_surroundings(scene, check);
+  return report;
+}
+
+}  // namespace penumbra
