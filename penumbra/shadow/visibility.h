@@ -1,56 +1,64 @@
 // SPDX-License-Identifier: MIT
 // How much of a light a point sees: the judge (`stochastic`) and the hard shadow. Every later
-// method returns the same struct with the same bits in `cosine_weighted` and `fraction`.
+// method returns the same bits as `stochastic` in `cosine_weighted` and `fraction`.
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "penumbra/geometry/light_sampling.h"
 #include "penumbra/kernel/kernel.h"
-#include "penumbra/scene/light.h"
 
 namespace penumbra {
 
 enum class Method { hard, stochastic };
 
-/// Class of (point, light). lit and umbra are proofs, except for `stochastic` and `hard`, which
-/// class by their samples.
+/// Class of (point, light). lit and umbra are proofs, except that `stochastic` and `hard` class by
+/// their samples: umbra when no sample is free, lit when no ray is blocked.
 enum class ShadowClass : std::uint8_t { lit = 0, penumbra = 1, umbra = 2 };
 
-/// Exact integers.
+/// Exact integers. A query is a (point, light) with at least one sample above the point's horizon.
 struct ShadowCounters {
-  std::uint64_t lit = 0, penumbra = 0, umbra = 0;  ///< queries (one a point and light) by class
+  std::uint64_t lit = 0, penumbra = 0, umbra = 0;  ///< queries by class
   std::uint64_t rays = 0;                          ///< sample rays traced in the geometry set
   std::uint64_t tests = 0;                         ///< primitives tested by them
   void add(const ShadowCounters& other);
 };
 
-/// A receiver: p' of design section 3 and the geometric normal on the side it was moved to.
+/// p' of a surface point and the geometric normal on the side it was moved to.
 struct Receiver {
   Vec3f position;
   Vec3f normal;  ///< unit
 };
 
 struct Visibility {
-  float cosine_weighted = 0;  ///< V = sum w v / sum w; where sum w is 0 or not finite, `fraction`
-  float fraction = 0;         ///< free samples / d; samples below the horizon are not free
-  ShadowClass shadow_class = ShadowClass::penumbra;
+  float cosine_weighted =
+      0;  ///< V = sum w v / sum w, w the cosine; where sum w is 0 or not finite, `fraction`
+  float fraction = 0;  ///< free samples / d; a sample on or below the horizon is not free
+  ShadowClass shadow_class = ShadowClass::umbra;
 };
 
-/// Memory that one thread reuses between queries.
+/// What a thread reuses between queries: the pattern of d samples and memory, so that none is
+/// allocated for a ray.
 struct VisibilityScratch {
+  explicit VisibilityScratch(std::uint32_t shadow_samples) : pattern(shadow_samples), center(1) {}
+  SamplePattern pattern;
+  SamplePattern center;  // of one sample
   LightSamples samples;
-  std::vector<std::uint32_t> blocked;
+  std::vector<float> weight;
+  std::vector<std::uint32_t> active, blocked;
 };
 
-/// The visible part of one light from one receiver. `key` is the point key combined with the
-/// light's index; see `light_key`. Counters are added to.
+/// The visible part of one light from one receiver. Samples are taken in order, and a blocked one
+/// is a sample whose open segment from p' meets a shadow-casting primitive. Point lights, whose
+/// samples are all equal, cost one ray. p' in the light, and NaN anywhere: the samples decide, and
+/// the class is penumbra. Adds to `counters`.
 Visibility visibility(const Kernel& kernel, const LightShape& light, const Receiver& receiver,
-                      Method method, const SamplePattern& pattern, std::uint64_t key,
-                      VisibilityScratch& scratch, ShadowCounters& counters);
+                      Method method, std::uint64_t key, VisibilityScratch& scratch,
+                      ShadowCounters& counters);
 
-/// Random numbers are keyed by the point (pixel, sample, path; a library caller's index) and the
-/// light.
+/// Key of a light's random numbers at a point: `point_key` identifies the point (pixel, sample in
+/// the pixel and path in the ray tree; a library caller's own, by default the index).
 std::uint64_t light_key(std::uint64_t point_key, std::uint32_t light_index);
 
 }  // namespace penumbra

@@ -1,2 +1,122 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/trace/render.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <chrono>
+#include <mutex>
+
+#include "penumbra/trace/layers.h"
+#include "penumbra/trace/pixel.h"
+
+namespace penumbra {
+
+void RenderCounters::add(const RenderCounters& other) {
+  primary += other.primary, reflected += other.reflected, refracted += other.refracted;
+  closest_tests += other.closest_tests;
+  shadow.add(other.shadow);
+}
+
+namespace {
+
+/// Totals over tiles. Integers, so that the order in which tiles end does not matter.
+class Totals {
+ public:
+  Totals(std::uint64_t pixels, std::function<void(double)> progress)
+      : pixels_(pixels), progress_(std::move(progress)) {}
+
+  void add(const TraceScratch& tile, std::uint64_t pixels) {
+    const std::lock_guard lock(mutex_);
+    counters.add(tile.counters);
+    shadow_seconds += tile.shadow_seconds;
+    done_ += pixels;
+    if (progress_) progress_(static_cast<double>(done_) / static_cast<double>(pixels_));
+  }
+
+  RenderCounters counters;
+  double shadow_seconds = 0;
+
+ private:
+  std::mutex mutex_;
+  std::uint64_t done_ = 0, pixels_;
+  std::function<void(double)> progress_;
+};
+
+struct Tile {
+  std::uint32_t x_begin, x_end, y_begin, y_end;
+};
+
+Tile tile_of(const RenderOptions& options, std::uint32_t index) {
+  const std::uint32_t across = (options.width + options.tile - 1) / options.tile;
+  const std::uint32_t x = index % across * options.tile, y = index / across * options.tile;
+  return {x, std::min(x + options.tile, options.width), y,
+          std::min(y + options.tile, options.height)};
+}
+
+PixelResult render_pixel(const TraceContext& context, const std::vector<CameraRay>& rays,
+                         bool wants_nodes, TraceScratch& scratch) {
+  PixelResult result;
+  const std::uint64_t before = scratch.counters.shadow.rays;
+  Vec3d sum;  // in double, in sample order
+  std::vector<RayNode> nodes;
+  for (const CameraRay& ray : rays) {
+    nodes.clear();
+    sum += Vec3d(trace(context, ray.origin, ray.direction, ray.key, scratch,
+                       wants_nodes ? &nodes : nullptr));
+    if (wants_nodes) result.primary.push_back(std::move(nodes.front()));
+  }
+  result.color = Color(sum / static_cast<double>(rays.size()));
+  result.shadow_rays = scratch.counters.shadow.rays - before;
+  return result;
+}
+
+void render_tile(const TraceContext& context, const RenderOptions& options,
+                 const CameraRays& camera, Tile tile, Image& image, Totals& totals) {
+  TraceScratch scratch(options.shadow_samples);
+  std::vector<CameraRay> rays;
+  const bool wants_nodes = !options.aovs.empty();
+  for (std::uint32_t y = tile.y_begin; y < tile.y_end; ++y)
+    for (std::uint32_t x = tile.x_begin; x < tile.x_end; ++x) {
+      camera.of_pixel(x, y, rays);
+      const PixelResult result = render_pixel(context, rays, wants_nodes, scratch);
+      store(result, options.aovs, context.scene, std::size_t(y) * options.width + x, image);
+    }
+  totals.add(scratch, std::uint64_t(tile.x_end - tile.x_begin) * (tile.y_end - tile.y_begin));
+}
+
+}  // namespace
+
+Picture render(const Scene& scene, const Kernel& kernel, const RenderOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  Picture picture;
+  picture.image = make_layers(options.width, options.height, options.aovs, scene.lights.size());
+  picture.threads = options.threads > 0
+                        ? options.threads
+                        : static_cast<std::uint32_t>(tbb::this_task_arena::max_concurrency());
+  const CameraRays camera(*scene.camera, options);
+  const TraceContext context{scene, kernel, options.method, options.depth};
+  Totals totals(std::uint64_t(options.width) * options.height, options.progress);
+  const std::uint32_t tiles = ((options.width + options.tile - 1) / options.tile) *
+                              ((options.height + options.tile - 1) / options.tile);
+  // More threads than cores must be possible: results are promised for any number.
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, picture.threads);
+  tbb::task_arena arena(static_cast<int>(picture.threads));
+  arena.execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::uint32_t>(0, tiles, 1),
+        [&](const tbb::blocked_range<std::uint32_t>& range) {
+          for (std::uint32_t i = range.begin(); i < range.end(); ++i)
+            render_tile(context, options, camera, tile_of(options, i), picture.image, totals);
+        },
+        tbb::simple_partitioner());
+  });
+  picture.counters = totals.counters;
+  picture.seconds.shadow = totals.shadow_seconds / picture.threads;
+  picture.seconds.render =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return picture;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "penumbra/trace/pixel.h"
+#include "penumbra/trace/ray_tree.h"
+#include "penumbra/trace/render.h"
+
+namespace penumbra {
+namespace {
+
+const char* name_of(ShapeKind kind) {
+  switch (kind) {
+    case ShapeKind::sphere: return "sphere";
+    case ShapeKind::cone: return "cone";
+    case ShapeKind::ring: return "ring";
+    case ShapeKind::triangle: break;
+  }
+  return "triangle";
+}
+
+const char* name_of(ShadowClass shadow_class) {
+  switch (shadow_class) {
+    case ShadowClass::lit: return "lit";
+    case ShadowClass::penumbra: return "penumbra";
+    case ShadowClass::umbra: break;
+  }
+  return "umbra";
+}
+
+template <typename N>
+std::string text(Vec3<N> v) {
+  return fmt::format("({:.9g}, {:.9g}, {:.9g})", v.x, v.y, v.z);
+}
+
+/// "camera ray", "camera ray > reflected > refracted"
+std::string path_name(std::uint64_t path) {
+  if (path <= 1) return "camera ray";
+  return path_name(path / 2) + (path % 2 == 0 ? " > reflected" : " > refracted");
+}
+
+std::string describe(const RayNode& node) {
+  std::string out = fmt::format("  {}: ", path_name(node.path));
+  if (!node.hit) return out + "hits nothing\n";
+  const ShapeRef shape = node.hit->shape;
+  out += shape.kind == ShapeKind::triangle
+             ? fmt::format("mesh {} triangle {}", shape.index, shape.triangle)
+             : fmt::format("{} {}", name_of(shape.kind), shape.index);
+  out += fmt::format(", t = {:.9g}{}\n", node.hit->t,
+                     node.point.surface.is_back ? ", from inside" : "");
+  out += fmt::format("    material \"{}\", diffuse {}\n", node.point.material->name,
+                     text(node.point.diffuse));
+  out += fmt::format("    position {}, shadow rays from {}\n", text(node.point.surface.position),
+                     text(node.point.receiver));
+  out += fmt::format("    normal {}, shading normal {}\n", text(node.point.normal),
+                     text(node.point.shading_normal));
+  for (std::size_t i = 0; i < node.light.size(); ++i)
+    out += fmt::format("    light {}: {}, V = {:.9g}, fraction = {:.9g}, U = {}\n", i,
+                       name_of(node.light[i].shadow_class), node.light[i].cosine_weighted,
+                       node.light[i].fraction, text(node.unshadowed[i]));
+  return out;
+}
+
+}  // namespace
+
+std::string explain_pixel(const Scene& scene, const Kernel& kernel, const RenderOptions& options,
+                          std::uint32_t x, std::uint32_t y) {
+  TraceScratch scratch(options.shadow_samples);
+  std::vector<CameraRay> rays;
+  CameraRays(*scene.camera, options).of_pixel(x, y, rays);
+  std::string out = fmt::format("pixel {},{}\n", x, y);
+  Vec3d sum;
+  for (std::size_t s = 0; s < rays.size(); ++s) {
+    std::vector<RayNode> nodes;
+    const TraceContext context{scene, kernel, options.method, options.depth};
+    const Color color =
+        trace(context, rays[s].origin, rays[s].direction, rays[s].key, scratch, &nodes);
+    sum += Vec3d(color);
+    out += fmt::format(" sample {}: colour {}\n", s, text(color));
+    for (const RayNode& node : nodes) out += describe(node);
+  }
+  const ShadowCounters& shadow = scratch.counters.shadow;
+  out +=
+      fmt::format(" colour {}\n {} shadow rays, {} tests; queries: {} lit, {} penumbra, {} umbra\n",
+                  text(sum / static_cast<double>(rays.size())), shadow.rays, shadow.tests,
+                  shadow.lit, shadow.penumbra, shadow.umbra);
+  return out;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Samples of a pixel: where their camera rays go, and their keys.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "penumbra/geometry/sample_pattern.h"
+#include "penumbra/scene/camera.h"
+#include "penumbra/trace/render.h"
+
+namespace penumbra {
+
+/// One camera ray.
+struct CameraRay {
+  Vec3d origin, direction;
+  std::uint64_t key;  ///< of the pixel and sample: what all random numbers behind it hang on
+};
+
+/// Camera rays of a picture. One sample goes through the pixel's centre, more follow a scrambled
+/// Sobol pattern.
+class CameraRays {
+ public:
+  CameraRays(const Camera& camera, const RenderOptions& options);
+  /// The rays of pixel (x, y), (0, 0) in the upper left corner; the vector is reused.
+  void of_pixel(std::uint32_t x, std::uint32_t y, std::vector<CameraRay>& rays) const;
+
+ private:
+  CameraFrame frame_;
+  double near_;
+  std::uint32_t width_, height_;
+  std::uint64_t seed_;
+  SamplePattern pattern_;
+};
+
+}  // namespace penumbra
