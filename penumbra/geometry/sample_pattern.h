@@ -16,9 +16,9 @@ std::uint64_t hash(std::uint64_t a, std::uint64_t b);
 /// A uniform float in [0, 1) from the top 24 bits.
 inline float unit_float(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }
 
-/// The first `count` points of the sequence, unscrambled, in an order where runs of 2^k points lie
-/// close together (hierarchically by bit-reversed index), so that packets of neighbours are
-/// coherent. Build it once for each d.
+/// The first `count` points of the sequence, unscrambled, ordered along a Z-shaped curve: aligned
+/// runs of 2^k of 2^m points fill one elementary interval, a square or half of one, whatever the
+/// key, so that packets of neighbours are coherent. Build it once for each d.
 class SamplePattern {
  public:
   explicit SamplePattern(std::uint32_t count);
