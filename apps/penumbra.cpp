@@ -80,6 +80,9 @@ int main_with(const std::vector<std::string>& arguments) {
     program.parse(std::move(backwards));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
+    if (const std::vector<std::string> unknown = program.remaining();
+        !chosen(commands) && !unknown.empty())
+      return report_usage(nullptr, "there is no command " + unknown.front());
     return report_usage(chosen(commands), error.what());
   } catch (const UsageError& error) {
     return report_usage(chosen(commands), error.what());

@@ -88,7 +88,7 @@ void add_scene_options(CLI::App& app, Options& o) {
       [&o](Text text) { o.complete.background = parse_color(text); });
   app.add_option("--light", o.light_words,
                  "Add a light, see below; the first one replaces the file's")
-      ->type_name("SPEC ...")
+      ->type_name("SPEC")
       ->group("Scene");
 }
 

@@ -93,14 +93,50 @@ Image empty_image(const std::filesystem::path& name, const Imf::Header& header,
   return image;
 }
 
+/// Throws where an attribute of the header claims more bytes than there are: OpenEXR would allocate
+/// them. Layout: magic, version and flags, then name\0 type\0 size value, and \0 at the end.
+void check_attributes(std::string_view bytes) {
+  constexpr std::size_t preamble = 8;
+  std::size_t at = preamble;
+  while (at < bytes.size() && bytes[at] != '\0') {
+    const std::size_t name_end = bytes.find('\0', at);
+    const std::size_t type_end =
+        name_end == bytes.npos ? bytes.npos : bytes.find('\0', name_end + 1);
+    if (type_end == bytes.npos || bytes.size() - type_end <= sizeof(std::int32_t)) break;
+    std::int32_t size = 0;  // little endian, as the machines we run on
+    std::memcpy(&size, bytes.data() + type_end + 1, sizeof size);
+    at = type_end + 1 + sizeof size;
+    if (size < 0 || static_cast<std::size_t>(size) > bytes.size() - at) break;
+    at += static_cast<std::size_t>(size);
+  }
+  if (at >= bytes.size() || bytes[at] != '\0')
+    throw std::runtime_error("the header ends too early");
+}
+
+/// The header's picture with channels of zeros, before OpenEXR allocates anything by the header.
+Image picture_claimed(const std::filesystem::path& name, std::string_view bytes) {
+  std::uint32_t preamble[2] = {0, 0};
+  std::memcpy(preamble, bytes.data(), std::min(bytes.size(), sizeof preamble));
+  constexpr std::uint32_t magic = 20000630, multipart_or_deep = 0x1800;
+  if (preamble[0] != magic) throw std::runtime_error("its first bytes are not those of OpenEXR");
+  if (preamble[1] & multipart_or_deep)
+    throw std::runtime_error("it has several parts or deep pixels, only one flat picture is read");
+  check_attributes(bytes);
+  MemoryIn stream(name.string(), bytes);
+  stream.seekg(sizeof preamble);
+  Imf::Header header;
+  int version = static_cast<int>(preamble[1]);
+  header.readFrom(stream, version);
+  return empty_image(name, header, bytes.size());
+}
+
 Image read_all(const std::filesystem::path& name, std::string_view bytes) {
-  // Checked while the header is read, before the table of lines is allocated.
-  constexpr int largest_side = 1 << 20;
-  Imf::Header::setMaxImageSize(largest_side, largest_side);
+  constexpr int largest_tile = 1024;
+  Imf::Header::setMaxTileSize(largest_tile, largest_tile);
+  Image image = picture_claimed(name, bytes);
   MemoryIn stream(name.string(), bytes);
   Imf::InputFile file(stream);
   const auto window = file.header().dataWindow();
-  Image image = empty_image(name, file.header(), bytes.size());
   Imf::FrameBuffer frame;
   for (Channel& channel : image.channels)
     frame.insert(channel.name, Imf::Slice::Make(Imf::FLOAT, channel.values.data(), window));

@@ -134,6 +134,25 @@ struct Layout {
   int color_type = 0;
 };
 
+constexpr const char* read_hint = "is it a PNG, and whole? Make or copy it again";
+
+/// Throws where a chunk (length, type, data, checksum) claims more bytes than there are: libpng
+/// would allocate them.
+void check_chunks(const std::filesystem::path& name, std::string_view bytes) {
+  constexpr std::size_t signature = 8, frame = 12;
+  const auto* data = reinterpret_cast<png_const_bytep>(bytes.data());
+  if (bytes.size() < signature || png_sig_cmp(data, 0, signature) != 0)
+    throw Error({name.string(), {}, 0}, "its first bytes are not those of a PNG", read_hint);
+  std::size_t at = signature;
+  while (at < bytes.size()) {
+    const std::size_t rest = bytes.size() - at;
+    if (rest < frame || png_get_uint_32(data + at) > rest - frame)
+      throw Error({name.string(), {}, at}, "a chunk claims more bytes than the file has",
+                  read_hint);
+    at += frame + png_get_uint_32(data + at);
+  }
+}
+
 void ask_for_rgb(png_structp png) {
   png_set_expand(png);  // palettes and fewer than 8 bits
   png_set_gray_to_rgb(png);
@@ -184,18 +203,20 @@ std::string to_png(const std::filesystem::path& name, const Image& image, float 
 }
 
 Image from_png(const std::filesystem::path& name, std::string_view bytes) {
-  const std::string hint = "is it a PNG, and whole? Make or copy it again";
+  check_chunks(name, bytes);
+  constexpr png_alloc_size_t most_unpacked_text = 1 << 23;
   Stream stream;
   stream.in = bytes;
   const Reader reader(stream);
   Layout layout;
   if (!reader.info || !survives(reader.png, [&] {
         png_set_read_fn(reader.png, &stream, read_bytes);
+        png_set_chunk_malloc_max(reader.png, most_unpacked_text);
         png_read_info(reader.png, reader.info);
         png_get_IHDR(reader.png, reader.info, &layout.width, &layout.height, &layout.bits,
                      &layout.color_type, nullptr, nullptr, nullptr);
       }))
-    fail(name, stream, "cannot be read as PNG", hint);
+    fail(name, stream, "cannot be read as PNG", read_hint);
   const std::size_t pixel_bytes = layout.bits == 16 ? 6 : 3;
   // A palette or grey file may hold one bit where three bytes come out.
   check_picture_size(name, layout.width, layout.height, 1, bytes.size() * 8);
@@ -214,7 +235,7 @@ Image from_png(const std::filesystem::path& name, std::string_view bytes) {
         png_read_end(reader.png, reader.info);
         png_get_text(reader.png, reader.info, &texts, &text_count);
       }))
-    fail(name, stream, "cannot be read as PNG", hint);
+    fail(name, stream, "cannot be read as PNG", read_hint);
   Image image = to_image(layout, pixels);
   for (int i = 0; i < text_count; ++i) image.metadata[texts[i].key] = texts[i].text;
   return image;
