@@ -12,7 +12,7 @@ namespace penumbra::detail {
 /// `bust_bottom`.
 double bust_field(Vec3d p);
 
-constexpr double bust_steepness = 2.5;
+constexpr double bust_steepness = 1.8;
 constexpr double bust_bottom = -3.05;
 
 }  // namespace penumbra::detail

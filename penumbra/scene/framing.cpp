@@ -87,7 +87,7 @@ Camera camera_around(const ShapeSet& shapes, Vec3d up, double fov_deg) {
   const double at_left = reach(shapes, -right - forward * k);
   const double at_top = reach(shapes, top - forward * k);
   const double at_bottom = reach(shapes, -top - forward * k);
-  const double nearest = dot(subject.center, forward) - subject.extent;
+  const double nearest = -reach(shapes, -forward) - 0.05 * subject.extent;
   const double z =
       std::min({-(at_right + at_left) / (2 * k), -(at_top + at_bottom) / (2 * k), nearest});
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "penumbra/scene/gallery_scenes.h"
 #include "penumbra/scene/nff_material.h"

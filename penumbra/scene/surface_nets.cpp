@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/scene/surface_nets.h"
 
+#include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 namespace penumbra::detail {
 
@@ -24,7 +27,7 @@ struct Samples {
 };
 
 /// Calls back with every cell's low corner, from the `first`-th cell along each axis on.
-template <typename Visit>
+template <std::invocable<Cell> Visit>
 void for_each_cell(const Samples& samples, std::size_t first, Visit&& visit) {
   for (std::size_t z = first; z + 1 < samples.size(2); ++z)
     for (std::size_t y = first; y + 1 < samples.size(1); ++y)
@@ -71,8 +74,8 @@ unsigned signs(const Samples& samples, Cell c) {
 }
 
 /// An outer corner between inner ones that touch only across a face's diagonal, or across the
-/// cell's: there two sheets of the surface would share an edge or a vertex. -1: none.
-int pinched_corner(unsigned inside) {
+/// cell's: there two sheets of the surface would share an edge or a vertex.
+std::optional<int> pinched_corner(unsigned inside) {
   const auto is_inside = [&](int bits) { return ((inside >> bits) & 1) != 0; };
   for (int axis = 0; axis < 3; ++axis) {
     const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
@@ -86,7 +89,7 @@ int pinched_corner(unsigned inside) {
     if (inside == diagonal) return bits ^ 1;
     if (inside == (0xffu & ~diagonal)) return bits;
   }
-  return -1;
+  return std::nullopt;
 }
 
 /// Takes such corners in until there are none. Ends, since points only ever go inside.
@@ -95,9 +98,10 @@ void part_sheets(Samples& samples) {
     has_changed = false;
     for_each_cell(samples, 0, [&](Cell c) {
       const unsigned inside = signs(samples, c);
-      const int corner = inside == 0 || inside == 0xff ? -1 : pinched_corner(inside);
-      if (corner < 0) return;
-      samples.values[samples.index(corner_of(c, corner))] = -std::numeric_limits<float>::epsilon();
+      if (inside == 0 || inside == 0xff) return;
+      const std::optional<int> corner = pinched_corner(inside);
+      if (!corner) return;
+      samples.values[samples.index(corner_of(c, *corner))] = -std::numeric_limits<float>::epsilon();
       has_changed = true;
     });
   }
@@ -113,7 +117,7 @@ Vec3d gradient(Field field, Vec3d p) {
 }
 
 /// Mean of the points where the surface crosses the cell's edges; nothing where it crosses none.
-bool crossing(const Samples& samples, Cell c, Vec3d& mean) {
+std::optional<Vec3d> crossing(const Samples& samples, Cell c) {
   Vec3d sum;
   int crossings = 0;
   for (int axis = 0; axis < 3; ++axis)
@@ -128,15 +132,26 @@ bool crossing(const Samples& samples, Cell c, Vec3d& mean) {
       sum += samples.point(a) + (samples.point(b) - samples.point(a)) * (fa / (fa - fb));
       ++crossings;
     }
-  if (crossings == 0) return false;
-  mean = sum / static_cast<double>(crossings);
-  return true;
+  if (crossings == 0) return std::nullopt;
+  return sum / static_cast<double>(crossings);
+}
+
+/// The field's slope over a cell, from its corners.
+Vec3d slope_of(const Samples& samples, Cell c) {
+  const Vec3d size = samples.point(corner_of(c, 7)) - samples.point(c);
+  Vec3d slope;
+  for (int bits = 0; bits < 8; ++bits)
+    for (int axis = 0; axis < 3; ++axis) {
+      const double value = samples.at(corner_of(c, bits));
+      slope[axis] += ((bits >> axis) & 1 ? value : -value) / (4 * size[axis]);
+    }
+  return slope;
 }
 
 /// Two steps towards the surface that stay in the cell, then the normal there.
 void add_vertex(Mesh& mesh, const Samples& samples, Field field, Cell c, Vec3d p) {
-  const Vec3d low = samples.point(c), high = samples.point({c[0] + 1, c[1] + 1, c[2] + 1});
-  const Vec3d slope = gradient(field, p);
+  const Vec3d low = samples.point(c), high = samples.point(corner_of(c, 7));
+  const Vec3d slope = slope_of(samples, c);
   const double steep = std::max(length_squared(slope), 0.1);
   for (int step = 0; step < 2; ++step) p = max(low, min(high, p - slope * (field(p) / steep)));
   mesh.positions.push_back(Vec3f(p));
@@ -170,10 +185,10 @@ Mesh surface_nets(const GridPlanes& planes, double (*field)(Vec3d), double steep
   Mesh mesh;
   std::vector<std::uint32_t> vertex(samples.values.size(), no_vertex);  // by the cell's low corner
   for_each_cell(samples, 0, [&](Cell c) {
-    Vec3d mean;
-    if (!crossing(samples, c, mean)) return;
+    const std::optional<Vec3d> mean = crossing(samples, c);
+    if (!mean) return;
     vertex[samples.index(c)] = static_cast<std::uint32_t>(mesh.positions.size());
-    add_vertex(mesh, samples, field, c, mean);
+    add_vertex(mesh, samples, field, c, *mean);
   });
   for_each_cell(samples, 1, [&](Cell c) {
     for (int axis = 0; axis < 3; ++axis) {

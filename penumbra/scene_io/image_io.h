@@ -9,16 +9,20 @@
 namespace penumbra {
 
 /// By extension: `.png` takes the channels R, G, B times 2^exposure_ev (exposure is for PNG alone)
-/// and stores metadata as tEXt chunks, `.exr` stores all channels as they are and metadata as
-/// string attributes. Writes to a temporary name, then renames. Throws Error.
+/// and stores metadata as text chunks, `.exr` stores all channels as they are and metadata as
+/// string attributes. Nothing appears at `path` unless all of it was written. Throws Error.
 void write_image(const std::filesystem::path& path, const Image& image, float exposure_ev = 0);
 
 /// Throws Error unless `write_image` could write there: known extension, writable folder. Call it
 /// before hours of work.
 void check_image_path(const std::filesystem::path& path);
 
+/// Throws Error unless a file can be made there: finds out by making one beside it, and removes it.
+void check_output_path(const std::filesystem::path& path);
+
 /// Reads PNG (R, G, B as stored codes / 255, not linearised) or EXR (all channels). Throws Error;
-/// more than 2^28 pixels are refused before anything is allocated.
+/// more than 2^28 pixels, and pixels that the file is too short to hold, are refused before
+/// anything is allocated for them.
 Image read_image(const std::filesystem::path& path);
 
 }  // namespace penumbra

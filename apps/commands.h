@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The program's commands, one file each.
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace penumbra {
+
+/// A command of the program: its options are parsed into state that `run` owns. `run` returns the
+/// exit code and throws Error or UsageError.
+struct Command {
+  CLI::App* app = nullptr;
+  std::function<int()> run;
+  int input_error = 1;  ///< exit code for an input that is wrong
+};
+
+/// `arguments`: the whole command line, for pictures to say how they were made.
+Command add_render(CLI::App& program, const std::vector<std::string>& arguments);
+Command add_info(CLI::App& program);
+Command add_generate(CLI::App& program);
+Command add_compare(CLI::App& program);
+
+}  // namespace penumbra

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Ctrl-C while a file is being written waits until it is whole.
+#pragma once
+
+namespace penumbra {
+
+/// While one lives, SIGINT, SIGTERM and SIGHUP are kept; its end delivers what came. One at a time.
+class DeferredSignals {
+ public:
+  DeferredSignals();
+  ~DeferredSignals();
+  DeferredSignals(const DeferredSignals&) = delete;
+  DeferredSignals& operator=(const DeferredSignals&) = delete;
+};
+
+}  // namespace penumbra

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "commands.h"
+#include "deferred_signals.h"
+#include "options.h"
+#include "penumbra/scene_io/image_io.h"
+#include "penumbra/scene_io/write_scene.h"
+#include "progress.h"
+#include "render_report.h"
+#include "scene_argument.h"
+#include "usage_error.h"
+
+namespace penumbra {
+namespace {
+
+struct Options {
+  std::string scene, output, stats;
+  ReadOptions read;
+  SceneOptions complete;
+  RenderOptions render;
+  std::optional<PixelSize> size;  ///< none: the camera's own
+  std::optional<PixelPosition> pixel;
+  std::vector<std::string> light_words;
+  float exposure_ev = 0;
+  bool always_progress = false;
+};
+
+void add_picture_options(CLI::App& app, Options& o) {
+  using Text = const std::string&;
+  add_parsed(app, "-o,--output", "FILE", "The picture, .png or .exr", [&o](Text text) {
+    o.output = parse_output(text, {".png", ".exr"});
+  });
+  add_parsed(app, "--size", "WxH", "Pixels (default: the file's, else 512x512)",
+             [&o](Text text) { o.size = parse_size(text); });
+  add_parsed(app, "--spp", "N", "Samples a pixel, for smooth edges (default 1)", [&o](Text text) {
+    o.render.samples_per_pixel = static_cast<std::uint32_t>(parse_count(text, 1, 65536));
+  });
+  add_parsed(app, "--depth", "N", "Longest path of mirrors and glass (default 5)", [&o](Text text) {
+    o.render.depth = static_cast<std::uint32_t>(parse_count(text, 1, 64));
+  });
+  add_parsed(app, "--exposure", "EV", "Brighten (> 0) or darken a PNG, in stops",
+             [&o](Text text) { o.exposure_ev = static_cast<float>(parse_number(text, -64, 64)); });
+  add_parsed(app, "--aov", "LIST", "EXR layers: any of class,visibility,depth,normal,samples",
+             [&o](Text text) { o.render.aovs = parse_aovs(text); });
+}
+
+void add_shadow_options(CLI::App& app, Options& o) {
+  using Text = const std::string&;
+  const auto add = [&app](const char* name, const char* value, const char* help, auto parse) {
+    add_parsed(app, name, value, help, parse)->group("Shadows");
+  };
+  add("--method", "M", "hard or stochastic (default)",
+      [&o](Text text) { o.render.method = parse_method(text); });
+  add("--shadow-samples", "D", "Samples a point and light (default 32)", [&o](Text text) {
+    o.render.shadow_samples = static_cast<std::uint32_t>(parse_count(text, 1, 65536));
+  });
+  add("--light-radius", "R", "Make point and ball lights balls of this radius; N% of the extent",
+      [&o](Text text) { o.complete.light_radius = parse_light_radius(text); });
+  add("--seed", "N", "Of the random numbers (default 0)", [&o](Text text) {
+    o.render.seed = parse_count(text, 0, std::numeric_limits<std::uint64_t>::max());
+  });
+  app.add_flag("--clear-glass", o.complete.clear_glass, "Transparent things cast no shadow")
+      ->group("Shadows");
+}
+
+void add_scene_options(CLI::App& app, Options& o) {
+  using Text = const std::string&;
+  const auto add = [&app](const char* name, const char* value, const char* help, auto parse) {
+    add_parsed(app, name, value, help, parse)->group("Scene");
+  };
+  add("--from", "x,y,z", "Camera position",
+      [&o](Text text) { o.complete.from = parse_vector(text); });
+  add("--at", "x,y,z", "What it looks at", [&o](Text text) { o.complete.at = parse_vector(text); });
+  add("--up", "x,y,z", "Its upward direction",
+      [&o](Text text) { o.complete.up = parse_vector(text); });
+  add("--fov", "DEG", "Vertical field of view",
+      [&o](Text text) { o.complete.fov_deg = parse_number(text, 0.001, 179.999); });
+  add("--ground", "auto|none|HEIGHT", "A floor (default auto: under bare models)",
+      [&o](Text text) { o.complete.ground = parse_ground(text); });
+  add("--background", "r,g,b", "Colour where nothing is hit",
+      [&o](Text text) { o.complete.background = parse_color(text); });
+  app.add_option("--light", o.light_words,
+                 "Add a light, see below; the first one replaces the file's")
+      ->type_name("SPEC")
+      ->group("Scene");
+}
+
+void add_run_options(CLI::App& app, Options& o) {
+  using Text = const std::string&;
+  const auto add = [&app](const char* name, const char* value, const char* help, auto parse) {
+    add_parsed(app, name, value, help, parse)->group("Run");
+  };
+  add("--threads", "N", "0 (default) takes all", [&o](Text text) {
+    o.render.threads = static_cast<std::uint32_t>(parse_count(text, 0, 1024));
+  });
+  add("--tile", "N", "Edge of the tiles threads take, in pixels (default 16)",
+      [&o](Text text) { o.render.tile = static_cast<std::uint32_t>(parse_count(text, 1, 65536)); });
+  app.add_option("--stats", o.stats, "Write counters, times and memory as JSON")
+      ->type_name("FILE")
+      ->group("Run");
+  add("--pixel", "x,y", "Print all about one pixel; writes nothing",
+      [&o](Text text) { o.pixel = parse_pixel(text); });
+  app.add_flag("--progress", o.always_progress, "Show progress even where stderr is no terminal")
+      ->group("Run");
+}
+
+constexpr const char* footer =
+    "Lights (numbers in scene units, each with an optional r g b at the end):\n"
+    "  point x y z                              rect cx cy cz ux uy uz vx vy vz (half edges)\n"
+    "  sphere cx cy cz r                        sun dx dy dz degrees (towards it; diameter)\n\n"
+    "Examples:\n"
+    "  penumbra render bust.ply -o bust.png\n"
+    "  penumbra render balls:4 -o balls.png --shadow-samples 64 --light-radius 5%\n"
+    "  penumbra render 1crn.pdb --style space-filling -o crambin.exr --aov class,depth\n"
+    "  penumbra render chair.obj --light sphere 2 4 3 0.5 --light sun 0 1 1 0.53 -o chair.png\n";
+
+/// Checks what no single option can.
+void check(const Options& o) {
+  if (o.complete.from && o.complete.at && *o.complete.from == *o.complete.at)
+    throw UsageError("--from and --at are the same point");
+  if (o.complete.up && *o.complete.up == Vec3d{}) throw UsageError("--up 0,0,0 is no direction");
+  if (o.pixel) return;
+  if (o.output.empty()) throw UsageError("-o FILE is missing: where should the picture go?");
+  if (!o.render.aovs.empty() && !has_extension(o.output, ".exr"))
+    throw UsageError("--aov needs an .exr file; a PNG holds colours alone");
+}
+
+void take_size(Options& o, const Scene& scene) {
+  const PixelSize size = o.size.value_or(PixelSize{scene.camera->width, scene.camera->height});
+  o.render.width = size.width;
+  o.render.height = size.height;
+  if (o.pixel && (o.pixel->x >= size.width || o.pixel->y >= size.height))
+    throw UsageError(fmt::format("--pixel {},{}: the picture has {}x{} pixels", o.pixel->x,
+                                 o.pixel->y, size.width, size.height));
+}
+
+Picture render_with_progress(const Options& o, const Scene& scene, const Kernel& kernel) {
+  Progress progress("rendering",
+                    o.always_progress ? ProgressWish::always : ProgressWish::on_terminal);
+  RenderOptions options = o.render;
+  options.progress = [&progress](double share) { progress.update(share); };
+  return render(scene, kernel, options);
+}
+
+int run(Options o, const std::vector<std::string>& arguments) {
+  o.complete.lights = parse_lights(o.light_words);
+  check(o);
+  if (!o.pixel) check_image_path(o.output);
+  if (!o.pixel && !o.stats.empty()) check_output_path(o.stats);
+
+  RenderReport report{o.scene, arguments, {}, 0, 0, 0};
+  const double start = now_seconds();
+  const Scene scene = complete_scene(load_scene(o.scene, o.read), o.complete);
+  take_size(o, scene);
+  const double loaded = now_seconds();
+  const Kernel kernel(scene.shapes, kernel_options(scene));
+  report.load_seconds = loaded - start;
+  report.build_seconds = now_seconds() - loaded;
+  report.geometry_bytes = kernel.memory_bytes();
+  report.options = o.render;
+
+  if (o.pixel) {
+    fmt::print("{}", explain_pixel(scene, kernel, o.render, o.pixel->x, o.pixel->y));
+    return 0;
+  }
+  Picture picture = render_with_progress(o, scene, kernel);
+  add_metadata(report, picture);
+  const DeferredSignals until_written;
+  write_image(o.output, picture.image, o.exposure_ev);
+  if (!o.stats.empty()) write_file(o.stats, stats_json(report, picture));
+  fmt::print(stderr, "{}\n", summary(o.output, picture));
+  return 0;
+}
+
+}  // namespace
+
+Command add_render(CLI::App& program, const std::vector<std::string>& arguments) {
+  CLI::App* app = program.add_subcommand("render", "Render a scene to a picture");
+  const auto options = std::make_shared<Options>();
+  app->add_option("SCENE", options->scene, scene_argument_help)->required();
+  add_picture_options(*app, *options);
+  add_shadow_options(*app, *options);
+  add_scene_options(*app, *options);
+  add_read_options(*app, options->read);
+  add_run_options(*app, *options);
+  app->footer(footer);
+  return {app, [options, arguments] { return run(*options, arguments); }};
+}
+
+}  // namespace penumbra

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "render_report.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "options.h"
+
+namespace penumbra {
+namespace {
+
+double ratio(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+std::uint64_t peak_rss_bytes() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts KiB
+}
+
+/// File names say enough; the folders are the user's own business.
+std::string without_folders(const std::string& argument) {
+  if (argument.find('/') == argument.npos) return argument;
+  return std::filesystem::path(argument).filename().string();
+}
+
+}  // namespace
+
+std::string stats_json(const RenderReport& report, const Picture& picture) {
+  const RenderCounters& n = picture.counters;
+  const nlohmann::ordered_json json = {
+      {"version", PENUMBRA_VERSION},
+      {"scene", report.scene},
+      {"method", name_of(report.options.method)},
+      {"shadow_samples", report.options.shadow_samples},
+      {"size", {picture.image.width, picture.image.height}},
+      {"spp", report.options.samples_per_pixel},
+      {"seed", report.options.seed},
+      {"threads", picture.threads},
+      {"seconds",
+       {{"load", report.load_seconds},
+        {"build", report.build_seconds},
+        {"render", picture.seconds.render},
+        {"shadow", picture.seconds.shadow}}},
+      {"rays",
+       {{"primary", n.primary},
+        {"reflected", n.reflected},
+        {"refracted", n.refracted},
+        {"shadow", n.shadow.rays},
+        {"shadow_set", 0}}},
+      {"shadow_queries",
+       {{"lit", n.shadow.lit}, {"penumbra", n.shadow.penumbra}, {"umbra", n.shadow.umbra}}},
+      {"tests_per_ray",
+       {{"geometry", ratio(n.closest_tests, n.primary + n.reflected + n.refracted)},
+        {"shadow", ratio(n.shadow.tests, n.shadow.rays)}}},
+      {"cache_decided", 0},
+      {"memory_bytes", {{"geometry", report.geometry_bytes}, {"shadow", 0}}},
+      {"peak_rss_bytes", peak_rss_bytes()}};
+  return json.dump(2) + "\n";
+}
+
+void add_metadata(const RenderReport& report, Picture& picture) {
+  std::string command;
+  for (const std::string& argument : report.arguments) {
+    if (!command.empty()) command += ' ';
+    command += without_folders(argument);
+  }
+  picture.image.metadata = {
+      {"Software", "penumbra " PENUMBRA_VERSION},
+      {"Command", command},
+      {"Scene", without_folders(report.scene)},
+      {"Method", std::string(name_of(report.options.method))},
+      {"ShadowSamples", std::to_string(report.options.shadow_samples)},
+      {"SamplesPerPixel", std::to_string(report.options.samples_per_pixel)},
+      {"Seed", std::to_string(report.options.seed)},
+      {"Size", fmt::format("{}x{}", picture.image.width, picture.image.height)},
+      {"RenderSeconds", fmt::format("{:.3f}", picture.seconds.render)}};
+}
+
+std::string summary(const std::string& output, const Picture& picture) {
+  const RenderCounters& n = picture.counters;
+  const std::uint64_t queries = n.shadow.lit + n.shadow.penumbra + n.shadow.umbra;
+  const auto percent = [&](std::uint64_t part) { return 100 * ratio(part, queries); };
+  return fmt::format(
+      "wrote {}: {}x{}, {:.1f} s; rays: {} primary, {} reflected, {} refracted, {} shadow; "
+      "lit {:.0f} %, penumbra {:.0f} %, umbra {:.0f} %",
+      output, picture.image.width, picture.image.height, picture.seconds.render, n.primary,
+      n.reflected, n.refracted, n.shadow.rays, percent(n.shadow.lit), percent(n.shadow.penumbra),
+      percent(n.shadow.umbra));
+}
+
+}  // namespace penumbra

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+#include "scene_facts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <variant>
+
+#include "penumbra/geometry/mesh.h"
+
+namespace penumbra {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+MeshFacts mesh_facts(const Mesh& mesh) {
+  const MeshTopology shape = topology(mesh);
+  MeshFacts facts;
+  facts.vertices = mesh.positions.size();
+  facts.triangles = mesh.triangles.size();
+  facts.closed_components =
+      static_cast<std::size_t>(std::count(shape.is_closed.begin(), shape.is_closed.end(), true));
+  facts.open_components = shape.is_closed.size() - facts.closed_components;
+  facts.boundary_edges = shape.boundary_edges;
+  facts.nonmanifold_edges = shape.nonmanifold_edges;
+  facts.has_normals = !mesh.normals.empty();
+  facts.is_backdrop = mesh.is_backdrop;
+  return facts;
+}
+
+void add(MeshFacts& sum, const MeshFacts& mesh) {
+  sum.vertices += mesh.vertices;
+  sum.triangles += mesh.triangles;
+  sum.closed_components += mesh.closed_components;
+  sum.open_components += mesh.open_components;
+  sum.boundary_edges += mesh.boundary_edges;
+  sum.nonmanifold_edges += mesh.nonmanifold_edges;
+}
+
+template <typename Number>
+std::string text(Vec3<Number> v) {
+  return fmt::format("({:g}, {:g}, {:g})", v.x, v.y, v.z);
+}
+
+template <typename Number>
+Json json(Vec3<Number> v) {
+  return {v.x, v.y, v.z};
+}
+
+double full_angle_deg(const SunLight& sun) {
+  return 2.0 * sun.half_angle_rad * 180 / std::numbers::pi;
+}
+
+struct LightText {
+  std::string operator()(const PointLight& l) const { return "point at " + text(l.center); }
+  std::string operator()(const BallLight& l) const {
+    return fmt::format("ball at {}, radius {:g}", text(l.center), l.radius);
+  }
+  std::string operator()(const ParallelogramLight& l) const {
+    return fmt::format("parallelogram at {}, half edges {} and {}", text(l.center), text(l.u),
+                       text(l.v));
+  }
+  std::string operator()(const SunLight& l) const {
+    return fmt::format("sun towards {}, {:.3g} degrees wide", text(l.direction), full_angle_deg(l));
+  }
+};
+
+struct LightJson {
+  Json operator()(const PointLight& l) const {
+    return {{"shape", "point"}, {"center", json(l.center)}};
+  }
+  Json operator()(const BallLight& l) const {
+    return {{"shape", "ball"}, {"center", json(l.center)}, {"radius", l.radius}};
+  }
+  Json operator()(const ParallelogramLight& l) const {
+    return {
+        {"shape", "parallelogram"}, {"center", json(l.center)}, {"u", json(l.u)}, {"v", json(l.v)}};
+  }
+  Json operator()(const SunLight& l) const {
+    return {{"shape", "sun"},
+            {"direction", json(l.direction)},
+            {"angular_diameter_deg", full_angle_deg(l)}};
+  }
+};
+
+std::string mesh_line(const MeshFacts& mesh) {
+  return fmt::format(
+      "{} triangles, {} vertices; components: {} closed, {} open; edges: {} on a "
+      "boundary, {} non-manifold",
+      mesh.triangles, mesh.vertices, mesh.closed_components, mesh.open_components,
+      mesh.boundary_edges, mesh.nonmanifold_edges);
+}
+
+Json mesh_json(const MeshFacts& mesh) {
+  return {{"triangles", mesh.triangles},
+          {"vertices", mesh.vertices},
+          {"closed_components", mesh.closed_components},
+          {"open_components", mesh.open_components},
+          {"boundary_edges", mesh.boundary_edges},
+          {"nonmanifold_edges", mesh.nonmanifold_edges}};
+}
+
+Json box_json(const Box& box) {
+  if (box.is_empty()) return nullptr;
+  return {{"lo", json(box.lo)}, {"hi", json(box.hi)}};
+}
+
+std::string bytes_text(std::size_t bytes) {
+  return bytes < 1000000 ? fmt::format("{:.1f} kB", static_cast<double>(bytes) / 1e3)
+                         : fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
+}
+
+void print_meshes(std::string& out, const SceneFacts& facts) {
+  if (facts.meshes.empty()) return;
+  const auto to = std::back_inserter(out);
+  if (facts.meshes.size() > 1)
+    fmt::format_to(to, "all meshes    {}: {}\n", facts.meshes.size(), mesh_line(facts.all_meshes));
+  constexpr std::size_t most_lines = 20;  // a polygon soup may have thousands
+  for (std::size_t i = 0; i < std::min(facts.meshes.size(), most_lines); ++i)
+    fmt::format_to(to, "mesh          {}{}{}\n", mesh_line(facts.meshes[i]),
+                   facts.meshes[i].has_normals ? "; smooth" : "",
+                   facts.meshes[i].is_backdrop ? "; backdrop" : "");
+  if (facts.meshes.size() > most_lines)
+    fmt::format_to(to, "              and {} more\n", facts.meshes.size() - most_lines);
+}
+
+}  // namespace
+
+SceneFacts scene_facts(const Scene& scene) {
+  const ShapeSet& shapes = scene.shapes;
+  SceneFacts facts;
+  facts.spheres = shapes.spheres.size();
+  facts.cylinders = static_cast<std::size_t>(
+      std::count_if(shapes.cones.begin(), shapes.cones.end(), is_cylinder));
+  facts.cones = shapes.cones.size() - facts.cylinders;
+  facts.rings = shapes.rings.size();
+  facts.primitives = primitive_count(shapes);
+  for (const Mesh& mesh : shapes.meshes) {
+    facts.meshes.push_back(mesh_facts(mesh));
+    add(facts.all_meshes, facts.meshes.back());
+  }
+  facts.triangles = facts.all_meshes.triangles;
+  facts.bounds = bounds(shapes);
+  facts.object_bounds = object_bounds(shapes);
+  return facts;
+}
+
+std::string to_text(const SceneFacts& facts, const Scene& scene) {
+  std::string out;
+  const auto to = std::back_inserter(out);
+  fmt::format_to(to, "scene         {}\n", scene.name);
+  fmt::format_to(to,
+                 "primitives    {}: {} spheres, {} cylinders, {} cones, {} rings, {} triangles in "
+                 "{} meshes\n",
+                 facts.primitives, facts.spheres, facts.cylinders, facts.cones, facts.rings,
+                 facts.triangles, facts.meshes.size());
+  print_meshes(out, facts);
+  fmt::format_to(to, "materials     {}, textures {}\n", scene.materials.size(),
+                 scene.textures.size());
+  for (const Light& light : scene.lights)
+    fmt::format_to(to, "light         {}, intensity {}{}\n", std::visit(LightText{}, light.shape),
+                   text(light.intensity),
+                   light.falloff == Falloff::none ? "" : " / distance squared");
+  if (scene.lights.empty())
+    fmt::format_to(to, "light         none: render adds a large and a small one\n");
+  if (scene.camera)
+    fmt::format_to(to, "camera        from {} at {}, up {}, {:g} degrees, {}x{}\n",
+                   text(scene.camera->from), text(scene.camera->at), text(scene.camera->up),
+                   scene.camera->fov_deg, scene.camera->width, scene.camera->height);
+  else
+    fmt::format_to(to, "camera        none: render frames the objects\n");
+  fmt::format_to(to, "bounds        {} to {}\n", text(facts.bounds.lo), text(facts.bounds.hi));
+  fmt::format_to(to, "extent        {:g} (objects, without floors and walls)\n",
+                 facts.object_bounds.largest_extent());
+  fmt::format_to(to, "memory        {} for the ray kernel\n", bytes_text(facts.memory_bytes));
+  fmt::format_to(to, "seconds       {:.3f} to load, {:.3f} to build\n", facts.load_seconds,
+                 facts.build_seconds);
+  return out;
+}
+
+std::string to_json(const SceneFacts& facts, const Scene& scene) {
+  Json meshes = Json::array(), lights = Json::array();
+  for (const MeshFacts& mesh : facts.meshes) {
+    meshes.push_back(mesh_json(mesh));
+    meshes.back()["normals"] = mesh.has_normals;
+    meshes.back()["backdrop"] = mesh.is_backdrop;
+  }
+  for (const Light& light : scene.lights) {
+    lights.push_back(std::visit(LightJson{}, light.shape));
+    lights.back()["intensity"] = json(light.intensity);
+    lights.back()["falloff"] = light.falloff == Falloff::none ? "none" : "inverse_square";
+  }
+  Json camera = nullptr;
+  if (scene.camera)
+    camera = {{"from", json(scene.camera->from)},
+              {"at", json(scene.camera->at)},
+              {"up", json(scene.camera->up)},
+              {"fov_deg", scene.camera->fov_deg},
+              {"size", {scene.camera->width, scene.camera->height}}};
+  const Json all = {{"scene", scene.name},
+                    {"primitives",
+                     {{"spheres", facts.spheres},
+                      {"cylinders", facts.cylinders},
+                      {"cones", facts.cones},
+                      {"rings", facts.rings},
+                      {"triangles", facts.triangles},
+                      {"total", facts.primitives}}},
+                    {"all_meshes", mesh_json(facts.all_meshes)},
+                    {"meshes", meshes},
+                    {"materials", scene.materials.size()},
+                    {"textures", scene.textures.size()},
+                    {"lights", lights},
+                    {"camera", camera},
+                    {"bounds", box_json(facts.bounds)},
+                    {"object_bounds", box_json(facts.object_bounds)},
+                    {"object_extent", facts.object_bounds.largest_extent()},
+                    {"memory_bytes", {{"geometry", facts.memory_bytes}}},
+                    {"seconds", {{"load", facts.load_seconds}, {"build", facts.build_seconds}}}};
+  // A name from a file need not be UTF-8.
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace penumbra

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// What `info` tells about a scene, as text or JSON.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "penumbra/scene/scene.h"
+
+namespace penumbra {
+
+struct MeshFacts {
+  std::size_t vertices = 0, triangles = 0;
+  std::size_t closed_components = 0, open_components = 0;
+  std::size_t boundary_edges = 0, nonmanifold_edges = 0;
+  bool has_normals = false, is_backdrop = false;
+};
+
+struct SceneFacts {
+  std::size_t spheres = 0, cylinders = 0, cones = 0, rings = 0, triangles = 0, primitives = 0;
+  std::vector<MeshFacts> meshes;
+  MeshFacts all_meshes;  ///< sums
+  Box bounds, object_bounds;
+  double load_seconds = 0, build_seconds = 0;
+  std::size_t memory_bytes = 0;
+};
+
+/// The scene as its file has it, before `complete_scene`. Cost: that of `topology` for each mesh.
+SceneFacts scene_facts(const Scene& scene);
+
+std::string to_text(const SceneFacts& facts, const Scene& scene);
+std::string to_json(const SceneFacts& facts, const Scene& scene);
+
+}  // namespace penumbra

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The picture formats, bytes to picture and back; `image_io.h` chooses between them.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "penumbra/scene/image.h"
+
+namespace penumbra {
+
+// `name` is the file's name in messages. All throw Error.
+std::string to_png(const std::filesystem::path& name, const Image& image, float exposure_ev);
+Image from_png(const std::filesystem::path& name, std::string_view bytes);
+std::string to_exr(const std::filesystem::path& name, const Image& image);
+Image from_exr(const std::filesystem::path& name, std::string_view bytes);
+
+/// Throws Error where a header claims more than 2^28 pixels, none, or more raw bytes than `stored`
+/// bytes can unpack to. Call it before allocating.
+void check_picture_size(const std::filesystem::path& name, std::uint64_t width,
+                        std::uint64_t height, std::uint64_t bytes_per_pixel, std::uint64_t stored);
+
+}  // namespace penumbra
