@@ -33,7 +33,8 @@ struct LightSamples {
 /// Fills `out` (reused between calls, so that nothing is allocated a ray) with the pattern's points
 /// for this key. Point lights give `size()` equal samples. p inside a ball: uniform over all
 /// directions, the sample on the ball's surface. Samples lie within 8 ulp of (|p| + distance + size
-/// of the light) of the light. Cost: about 10 ns a sample.
+/// of the light) of the light. Cost of d = 32 with AVX-512: 0.11 microseconds for balls and suns,
+/// 0.4 for rectangles, 2.6 for skew parallelograms.
 void sample_light(const LightShape& light, Vec3f p, const SamplePattern& pattern, std::uint64_t key,
                   LightSamples& out);
 

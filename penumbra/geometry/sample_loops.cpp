@@ -14,14 +14,6 @@ HWY_BEFORE_NAMESPACE();
 namespace penumbra::HWY_NAMESPACE {
 namespace {
 
-HWY_INLINE std::uint32_t reverse_bits(std::uint32_t x) {
-  x = (x >> 16) | (x << 16);
-  x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
-  x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
-  x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
-  return ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
-}
-
 /// Laine & Karras 2011 (a hash in which each bit depends on lower ones only is an Owen scramble of
 /// the reversed number); constants by N. Vegdahl (2021), who searched for better ones.
 void ScrambleToUnits(const std::uint32_t* __restrict reversed, std::size_t count,
@@ -33,7 +25,7 @@ void ScrambleToUnits(const std::uint32_t* __restrict reversed, std::size_t count
     x ^= x * 0x05526c56u;
     x ^= x * 0x53a22864u;
     // Signed numbers convert in one instruction, and 24 bits have no sign.
-    units[i] = static_cast<float>(static_cast<std::int32_t>(reverse_bits(x) >> 8)) * 0x1p-24f;
+    units[i] = static_cast<float>(static_cast<std::int32_t>(reversed_bits(x) >> 8)) * 0x1p-24f;
   }
 }
 

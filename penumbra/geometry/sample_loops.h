@@ -17,6 +17,15 @@ struct SampleArrays {
   std::size_t count;
 };
 
+/// The 32 bits in reverse order.
+[[gnu::always_inline]] constexpr std::uint32_t reversed_bits(std::uint32_t x) {
+  x = (x >> 16) | (x << 16);
+  x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
+  x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
+  x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+  return ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+}
+
 /// Owen scramble of bit-reversed coordinates: uniform floats in [0, 1).
 struct OwenScramble {
   std::uint32_t offset;

@@ -15,14 +15,6 @@ std::uint64_t mix(std::uint64_t z) {
   return z ^ (z >> 31);
 }
 
-constexpr std::uint32_t reversed(std::uint32_t x) {
-  x = (x >> 16) | (x << 16);
-  x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
-  x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
-  x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
-  return ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
-}
-
 /// Second coordinate of Sobol's sequence: the binomial matrix modulo 2.
 std::uint32_t sobol_y(std::uint32_t index) {
   std::uint32_t y = 0;
@@ -55,11 +47,11 @@ SamplePattern::SamplePattern(std::uint32_t count) {
   std::vector<std::uint32_t> order(count);
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [](std::uint32_t i, std::uint32_t j) {
-    return is_before(reversed(i), sobol_y(i), reversed(j), sobol_y(j));
+    return is_before(reversed_bits(i), sobol_y(i), reversed_bits(j), sobol_y(j));
   });
   x_ = order;  // the first coordinate is the reversed index
   y_.reserve(count);
-  for (std::uint32_t i : order) y_.push_back(reversed(sobol_y(i)));
+  for (std::uint32_t i : order) y_.push_back(reversed_bits(sobol_y(i)));
 }
 
 void SamplePattern::scramble(std::uint64_t key, std::span<float> u, std::span<float> v) const {
