@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "penumbra/shadow/visibility.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace penumbra {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Mean of the plain fraction over many keys, with its standard error.
+struct Estimate {
+  double mean = 0, error = 0;
+};
+
+Estimate estimate(const ShapeSet& shapes, const LightShape& light, const Receiver& receiver,
+                  std::uint32_t d, int keys) {
+  const Kernel kernel(shapes, {});
+  VisibilityScratch scratch(d);
+  ShadowCounters counters;
+  double sum = 0, squares = 0;
+  for (int k = 0; k < keys; ++k) {
+    const double f = visibility(kernel, light, receiver, Method::stochastic,
+                                light_key(static_cast<std::uint64_t>(k), 0), scratch, counters)
+                         .fraction;
+    sum += f, squares += f * f;
+  }
+  const double mean = sum / keys;
+  return {mean, std::sqrt(std::max(1e-12, (squares / keys - mean * mean) / (keys - 1)))};
+}
+
+void expect_unbiased(const Estimate& estimate, double truth) {
+  EXPECT_NEAR(estimate.mean, truth, 4 * estimate.error)
+      << "z = " << (estimate.mean - truth) / estimate.error;
+}
+
+const Receiver up{{0, 0, 0}, {0, 0, 1}};
+
+/// The half-plane x > edge at height 1, as far as a ball light over the origin is concerned.
+ShapeSet half_plane(float edge) {
+  Mesh mesh;
+  mesh.positions = {{edge, -1e3f, 1}, {1e3f, -1e3f, 1}, {1e3f, 1e3f, 1}, {edge, 1e3f, 1}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  ShapeSet shapes;
+  shapes.meshes.push_back(mesh);
+  return shapes;
+}
+
+/// Share of a cone of half angle a on the far side of a plane through its apex, at angle b from its
+/// axis.
+double share_beyond_plane(double a, double b) {
+  const double cut = 2 * (std::acos(std::sin(b) / std::sin(a)) -
+                          std::cos(a) * std::acos(std::tan(b) / std::tan(a)));
+  return cut / (2 * pi * (1 - std::cos(a)));
+}
+
+/// Share of a cone of half angle a that another of half angle b hides, their axes at angle s.
+double share_behind_ball(double a, double b, double s) {
+  const double area =
+      2 * (pi - std::acos((std::cos(s) - std::cos(a) * std::cos(b)) / (std::sin(a) * std::sin(b))) -
+           std::cos(a) *
+               std::acos((std::cos(b) - std::cos(s) * std::cos(a)) / (std::sin(s) * std::sin(a))) -
+           std::cos(b) *
+               std::acos((std::cos(a) - std::cos(s) * std::cos(b)) / (std::sin(s) * std::sin(b))));
+  return area / (2 * pi * (1 - std::cos(a)));
+}
+
+TEST(Visibility, HalfPlaneOverABallLight) {
+  const BallLight light{{0, 0, 4}, 1.5f};
+  const double a = std::asin(1.5 / 4);
+  for (float edge : {0.0f, 0.1f, 0.25f, -0.2f}) {
+    const double hidden = edge >= 0 ? share_beyond_plane(a, std::atan(edge))
+                                    : 1 - share_beyond_plane(a, std::atan(-edge));
+    for (std::uint32_t d : {1u, 7u, 32u, 256u})
+      expect_unbiased(estimate(half_plane(edge), light, up, d, 20'000), 1 - hidden);
+  }
+}
+
+TEST(Visibility, OneBallEclipsesAnother) {
+  const BallLight light{{0, 0, 10}, 2};
+  const double a = std::asin(0.2);
+  for (double separation : {0.1, 0.2, 0.3}) {
+    const double distance = 3, radius = 0.6, b = std::asin(radius / distance);
+    ShapeSet shapes;
+    shapes.spheres.push_back(
+        {Vec3f(Vec3d{std::sin(separation), 0, std::cos(separation)} * distance), 0.6f, 0});
+    expect_unbiased(estimate(shapes, light, up, 32, 20'000),
+                    1 - share_behind_ball(a, b, separation));
+  }
+}
+
+TEST(Visibility, DiskHidesPartOfTheSun) {
+  const SunLight sun{{0, 0, 1}, 0.1f};
+  ShapeSet shapes;
+  shapes.rings.push_back({{0, 0, 100}, {0, 0, 1}, 5, 0, 0});
+  const double hidden = (1 - std::cos(std::atan(0.05))) / (1 - std::cos(0.1));
+  expect_unbiased(estimate(shapes, sun, up, 16, 20'000), 1 - hidden);
+}
+
+TEST(Visibility, HalfPlaneOverAParallelogramLight) {
+  const ParallelogramLight light{{0, 0, 4}, {1, 0, 0}, {0, 1, 0}};
+  expect_unbiased(estimate(half_plane(0), light, up, 32, 20'000), 0.5);
+}
+
+TEST(Visibility, ClassesByTheSamplesAndCountsWhatItTraced) {
+  const BallLight light{{0, 0, 4}, 1};
+  VisibilityScratch scratch(32);
+  ShadowCounters counters;
+  const auto see = [&](const ShapeSet& shapes) {
+    return visibility(Kernel(shapes, {}), light, up, Method::stochastic, 5, scratch, counters);
+  };
+  ShapeSet far_ball, cover;
+  far_ball.spheres.push_back({{50, 0, 0}, 1, 0});
+  cover.spheres.push_back({{0, 0, 2}, 1.5f, 0});
+  EXPECT_EQ(see(far_ball).shadow_class, ShadowClass::lit);
+  EXPECT_EQ(see(far_ball).cosine_weighted, 1);
+  EXPECT_EQ(see(cover).shadow_class, ShadowClass::umbra);
+  EXPECT_EQ(see(cover).fraction, 0);
+  EXPECT_EQ(see(half_plane(0)).shadow_class, ShadowClass::penumbra);
+  EXPECT_EQ(counters.lit, 2u);
+  EXPECT_EQ(counters.umbra, 2u);
+  EXPECT_EQ(counters.penumbra, 1u);
+  EXPECT_EQ(counters.rays, 5u * 32);
+}
+
+TEST(Visibility, SamplesBelowTheHorizonWeighNothingAndFireNoRay) {
+  ShapeSet shapes;
+  shapes.spheres.push_back({{0, 0, -50}, 1, 0});
+  const Kernel kernel(shapes, {});
+  VisibilityScratch scratch(64);
+  ShadowCounters counters;
+  const auto see = [&](Vec3f center) {
+    return visibility(kernel, BallLight{center, 1}, up, Method::stochastic, 1, scratch, counters);
+  };
+  EXPECT_EQ(see({0, 0, -4}).fraction, 0);
+  EXPECT_EQ(counters.rays, 0u);
+  EXPECT_EQ(counters.umbra, 0u);  // no query at all
+  const Visibility half = see({4, 0, 0});
+  EXPECT_EQ(half.cosine_weighted, 1);  // what is above is free
+  EXPECT_NEAR(half.fraction, 0.5, 0.06);
+  EXPECT_LT(counters.rays, 64u);
+}
+
+TEST(Visibility, InsideALightTheSamplesDecideAndTheClassIsPenumbra) {
+  ShapeSet shapes;
+  shapes.spheres.push_back({{50, 0, 0}, 1, 0});
+  VisibilityScratch scratch(64);
+  ShadowCounters counters;
+  const Visibility seen = visibility(Kernel(shapes, {}), BallLight{{0, 0, 0.2f}, 1}, up,
+                                     Method::stochastic, 1, scratch, counters);
+  EXPECT_EQ(seen.shadow_class, ShadowClass::penumbra);
+  EXPECT_EQ(seen.cosine_weighted, 1);
+  EXPECT_NEAR(seen.fraction, 0.5, 0.1);  // half of all directions are above the horizon
+}
+
+TEST(Visibility, NotANumberProvesNothing) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  VisibilityScratch scratch(32);
+  ShadowCounters counters;
+  const Visibility seen =
+      visibility(Kernel(half_plane(0), {}), BallLight{{0, 0, 4}, 1}, {{nan, 0, 0}, {0, 0, 1}},
+                 Method::stochastic, 1, scratch, counters);
+  EXPECT_EQ(seen.shadow_class, ShadowClass::penumbra);
+}
+
+TEST(Visibility, HardTracesOneRayToTheCentre) {
+  VisibilityScratch scratch(32);
+  ShadowCounters counters;
+  const BallLight light{{0, 0, 4}, 1};
+  EXPECT_EQ(visibility(Kernel(half_plane(0.01f), {}), light, up, Method::hard, 1, scratch, counters)
+                .cosine_weighted,
+            1);
+  EXPECT_EQ(
+      visibility(Kernel(half_plane(-0.01f), {}), light, up, Method::hard, 1, scratch, counters)
+          .cosine_weighted,
+      0);
+  EXPECT_EQ(counters.rays, 2u);
+}
+
+TEST(Visibility, ALightInsideAnOccluderIsHidden) {
+  ShapeSet shapes;
+  shapes.spheres.push_back({{0, 0, 4}, 1.5f, 0});
+  expect_unbiased(estimate(shapes, BallLight{{0, 0, 4}, 1}, up, 32, 100), 0);
+}
+
+TEST(Visibility, BruteForceGivesTheSameBits) {
+  const BallLight light{{0, 0, 4}, 1};
+  VisibilityScratch scratch(48);
+  ShadowCounters counters;
+  ShapeSet shapes = half_plane(0.1f);
+  shapes.spheres.push_back({{-0.3f, 0.1f, 2}, 0.3f, 0});
+  shapes.cones.push_back({{-1, -1, 1.5f}, {1, -0.2f, 1.8f}, 0.1f, 0.05f, Caps::capped, 0});
+  const Kernel wide(shapes, {}), brute(shapes, {KernelKind::brute, {}});
+  for (std::uint64_t key = 0; key < 2'000; ++key) {
+    const Receiver receiver{
+        {static_cast<float>(key % 40) * 0.05f - 1, static_cast<float>(key / 40) * 0.04f - 1, 0},
+        {0, 0, 1}};
+    const Visibility a =
+        visibility(wide, light, receiver, Method::stochastic, key, scratch, counters);
+    const Visibility b =
+        visibility(brute, light, receiver, Method::stochastic, key, scratch, counters);
+    ASSERT_EQ(a.cosine_weighted, b.cosine_weighted);
+    ASSERT_EQ(a.fraction, b.fraction);
+    ASSERT_EQ(a.shadow_class, b.shadow_class);
+  }
+}
+
+}  // namespace
+}  // namespace penumbra
