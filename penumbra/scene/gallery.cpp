@@ -2,7 +2,6 @@
 #include "penumbra/scene/gallery.h"
 
 #include <charconv>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -64,8 +63,6 @@ std::vector<GalleryEntry> gallery_help() {
 namespace detail {
 
 float as_printed(double value) {
-  constexpr double rounding_noise = 1e-12;
-  if (std::abs(value) < rounding_noise) return 0;
   const std::string digits = fmt::format("{:.6g}", value);
   float read_back = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), read_back);

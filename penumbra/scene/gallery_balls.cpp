@@ -14,30 +14,37 @@ namespace {
 
 using Children = std::array<Vec3d, 9>;
 
+/// v turned about the unit vector `axis`, by the matrix, summed in the order of x, y and z.
+Vec3d turned(Vec3d v, Vec3d axis, double angle_rad) {
+  const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+  const Vec3d t = axis * (1 - c), a = axis;
+  return {(t.x * a.x + c) * v.x + (t.x * a.y - s * a.z) * v.y + (t.x * a.z + s * a.y) * v.z,
+          (t.x * a.y + s * a.z) * v.x + (t.y * a.y + c) * v.y + (t.y * a.z - s * a.x) * v.z,
+          (t.x * a.z - s * a.y) * v.x + (t.y * a.z + s * a.x) * v.y + (t.z * a.z + c) * v.z};
+}
+
 /// Directions of a ball's children where its own direction is +z: three times one above the equator
-/// and two on it.
+/// and two on it. They are three neighbours of a close packing, set upright; to make them so, and
+/// not from their angles, gives the SPD's own last bits.
 Children child_directions() {
-  constexpr double degree = std::numbers::pi / 180;
+  const double r = 1 / std::sqrt(2.0);
+  const std::array<Vec3d, 3> neighbours{{{r, r, 0}, {r, 0, -r}, {0, r, -r}}};
   Children directions;
-  for (int k = 0; k < 3; ++k) {
-    const double rise = std::sqrt(2.0 / 3), out = std::sqrt(1.0 / 3);
-    const double above = (45 + 120 * k) * degree;
-    const double first = (15 + 120 * k) * degree, second = (75 + 120 * k) * degree;
-    directions[3 * k] = {out * std::cos(above), out * std::sin(above), rise};
-    directions[3 * k + 1] = {std::cos(first), std::sin(first), 0};
-    directions[3 * k + 2] = {std::cos(second), std::sin(second), 0};
-  }
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < 3; ++i) {
+      const Vec3d upright = turned(neighbours[i], {r, -r, 0}, std::asin(2 / std::sqrt(6.0)));
+      directions[3 * k + i] = turned(upright, {0, 0, 1}, 2 * std::numbers::pi / 3 * k);
+    }
   return directions;
 }
 
 /// v under the smallest rotation that takes +z to d.
-Vec3d turned(Vec3d v, Vec3d d) {
+Vec3d carried(Vec3d v, Vec3d d) {
   constexpr double almost_one = 0.9999;
   if (d.z >= almost_one) return v;
   if (d.z <= -almost_one) return {-v.x, v.y, -v.z};
-  const Vec3d axis = normalize(Vec3d{-d.y, d.x, 0});
-  const double cosine = d.z, sine = std::sqrt(d.x * d.x + d.y * d.y);
-  return v * cosine + cross(axis, v) * sine + axis * (dot(axis, v) * (1 - cosine));
+  const Vec3d axis{-d.y, d.x, 0};
+  return turned(v, axis / length(axis), std::acos(d.z));
 }
 
 void add_balls(std::vector<Sphere>& spheres, const Children& children, Vec3d center, double radius,
@@ -46,7 +53,7 @@ void add_balls(std::vector<Sphere>& spheres, const Children& children, Vec3d cen
   spheres.push_back({as_printed(center), as_printed(radius), ball_surface});
   if (depth == 0) return;
   for (Vec3d child : children) {
-    const Vec3d d = turned(child, direction);
+    const Vec3d d = carried(child, direction);
     add_balls(spheres, children, center + d * (radius * 4 / 3), radius / 3, d, depth - 1);
   }
 }

@@ -14,8 +14,7 @@ Scene cylinders_scene();
 Scene molecule_scene();
 Scene bust_scene();
 
-/// A number as NFF files carry it: printed with 6 significant digits and read back. What is only
-/// rounding noise becomes 0.
+/// A number as NFF files carry it: printed with 6 significant digits and read back.
 float as_printed(double value);
 Vec3f as_printed(Vec3d p);
 
