@@ -1,2 +1,161 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/scene_io/source.h"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <system_error>
+
+namespace penumbra {
+namespace {
+
+constexpr std::size_t file_limit = std::size_t{8} << 30;
+constexpr std::size_t unpacked_limit = std::size_t{2} << 30;
+constexpr std::size_t chunk = std::size_t{1} << 20;
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+/// Regular files and pipes; devices and folders have no end, or no bytes.
+void check_kind(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found)
+    throw Error({path.string(), {}, {}}, "there is no such file", "check the path");
+  if (error) throw Error({path.string(), {}, {}}, "cannot be read: " + error.message());
+  if (status.type() == std::filesystem::file_type::directory)
+    throw Error({path.string(), {}, {}}, "is a folder", "name a file in it");
+  if (status.type() != std::filesystem::file_type::regular &&
+      status.type() != std::filesystem::file_type::fifo)
+    throw Error({path.string(), {}, {}}, "is neither a file nor a pipe");
+}
+
+std::string read_all(const std::filesystem::path& path) {
+  check_kind(path);
+  const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
+  if (!file)
+    throw Error({path.string(), {}, {}}, std::string("cannot be read: ") + std::strerror(errno),
+                "check its permissions");
+  std::string bytes;
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (!error) bytes.reserve(std::min<std::uintmax_t>(size, file_limit) + 1);
+  for (std::size_t used = 0;;) {
+    if (used == bytes.capacity()) bytes.reserve(used + std::max(used / 2, chunk));
+    bytes.resize(std::min(bytes.capacity(), used + 64 * chunk));
+    const std::size_t got = std::fread(bytes.data() + used, 1, bytes.size() - used, file.get());
+    used += got;
+    if (used > file_limit) throw Error({path.string(), {}, {}}, "is larger than 8 GiB");
+    if (got != 0) continue;
+    if (std::ferror(file.get()) != 0)
+      throw Error({path.string(), {}, {}}, std::string("cannot be read: ") + std::strerror(errno));
+    bytes.resize(used);
+    return bytes;
+  }
+}
+
+bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b\x08"); }
+
+struct EndInflate {
+  void operator()(z_stream* stream) const { inflateEnd(stream); }
+};
+
+[[noreturn]] void fail_gzip(const std::filesystem::path& path, std::size_t at, const char* what) {
+  throw Error({path.string(), {}, at}, std::string("broken gzip data: ") + what,
+              "unpack it with gunzip to see what is left");
+}
+
+/// Unpacks one gzip member that starts at `at` onto `out`; returns where it ends.
+std::size_t unpack_member(const std::filesystem::path& path, std::string_view packed,
+                          std::size_t at, std::string& out) {
+  z_stream stream{};
+  if (inflateInit2(&stream, 15 + 16) != Z_OK) fail_gzip(path, at, "zlib does not start");
+  const std::unique_ptr<z_stream, EndInflate> guard(&stream);
+  std::size_t used = out.size();
+  for (;;) {
+    const std::size_t in = std::min(packed.size() - at, chunk);
+    if (used == out.size())
+      out.resize(std::min(used + std::max(used, 4 * chunk), unpacked_limit + chunk));
+    const std::size_t room = std::min(out.size() - used, 64 * chunk);
+    // zlib's interface is older than const.
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data() + at));
+    stream.avail_in = static_cast<uInt>(in);
+    stream.next_out = reinterpret_cast<Bytef*>(out.data() + used);
+    stream.avail_out = static_cast<uInt>(room);
+    const int status = inflate(&stream, Z_NO_FLUSH);
+    at += in - stream.avail_in;
+    used += room - stream.avail_out;
+    if (used > unpacked_limit) fail_gzip(path, at, "it unpacks to more than 2 GiB");
+    if (status == Z_STREAM_END) break;
+    if (status == Z_MEM_ERROR) fail_gzip(path, at, "out of memory");
+    if (status == Z_BUF_ERROR && at == packed.size()) fail_gzip(path, at, "it is cut off");
+    if (status != Z_OK && status != Z_BUF_ERROR)
+      fail_gzip(path, at, stream.msg != nullptr ? stream.msg : "not readable");
+  }
+  out.resize(used);
+  return at;
+}
+
+/// All members of a gzip file, one after the other; zeros that pad it at the end are allowed.
+std::string unpack(const std::filesystem::path& path, std::string_view packed) {
+  std::string out;
+  std::size_t at = 0;
+  while (at < packed.size()) {
+    if (is_gzip(packed.substr(at))) {
+      at = unpack_member(path, packed, at, out);
+      continue;
+    }
+    if (packed.find_first_not_of('\0', at) != std::string_view::npos)
+      fail_gzip(path, at, "something else follows it");
+    break;
+  }
+  return out;
+}
+
+std::string lower_extension(std::filesystem::path path) {
+  const auto lower = [](std::string text) {
+    for (char& c : text)
+      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+  };
+  std::string extension = lower(path.extension().string());
+  if (extension == ".gz") extension = lower(path.stem().extension().string());
+  return extension.empty() ? extension : extension.substr(1);
+}
+
+}  // namespace
+
+Source load(const std::filesystem::path& path) {
+  Source source{path, lower_extension(path), read_all(path)};
+  if (is_gzip(source.bytes)) source.bytes = unpack(path, source.bytes);
+  return source;
+}
+
+void Warnings::add(std::string_view kind, std::size_t line) {
+  for (Entry& entry : entries_)
+    if (entry.kind == kind) {
+      ++entry.count;
+      return;
+    }
+  entries_.push_back({std::string(kind), line, 1});
+}
+
+std::vector<std::string> Warnings::lines() const {
+  std::vector<std::string> lines;
+  for (const Entry& entry : entries_) {
+    const Error::Place place{file_, entry.line ? std::optional(entry.line) : std::nullopt, {}};
+    std::string text = message(place, entry.kind, {});
+    if (entry.count > 1) text += fmt::format(" (and {} more)", entry.count - 1);
+    lines.push_back(std::move(text));
+  }
+  return lines;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Lights in words, the same in NFF's "#! light" and in `--light`:
+//   point x y z | sphere cx cy cz r | rect cx cy cz ux uy uz vx vy vz | sun dx dy dz degrees
+// each with an optional "r g b" at the end, the linear intensity. `rect` has half edges; the sun's
+// direction is towards it, its degrees are its angular diameter.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "penumbra/scene/light.h"
+
+namespace penumbra {
+
+struct LightSpec {
+  LightShape shape;
+  std::optional<Color> intensity;  ///< as given
+};
+
+/// Throws Error, without a place, that says what is wrong with the words and what would be right.
+LightSpec parse_light_spec(std::span<const std::string> words);
+
+/// The same as a light without falloff, of intensity 1 unless given.
+Light parse_light(std::span<const std::string> words);
+
+/// The words of a line.
+std::vector<std::string> split_words(std::string_view text);
+
+/// Words that `parse_light` reads back to the same bits; the falloff is not part of them.
+std::string light_words(const Light& light);
+
+}  // namespace penumbra
