@@ -7,6 +7,7 @@
 #include "commands.h"
 #include "options.h"
 #include "penumbra/kernel/kernel.h"
+#include "resources.h"
 #include "scene_argument.h"
 #include "scene_facts.h"
 
@@ -28,6 +29,7 @@ int run(const InfoOptions& options) {
   facts.load_seconds = loaded - start;
   facts.build_seconds = now_seconds() - loaded;
   facts.memory_bytes = kernel.memory_bytes();
+  facts.peak_rss_bytes = peak_rss_bytes();
   fmt::print("{}", options.json ? to_json(facts, scene) : to_text(facts, scene));
   return 0;
 }

@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "scene_argument.h"
+#include "resources.h"
 
 namespace penumbra {
 namespace {

@@ -14,6 +14,7 @@
 #include "penumbra/scene_io/write_scene.h"
 #include "progress.h"
 #include "render_report.h"
+#include "resources.h"
 #include "scene_argument.h"
 #include "usage_error.h"
 

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <utility>
@@ -42,10 +41,6 @@ KernelOptions kernel_options(const Scene& scene) {
   for (const Material& material : scene.materials)
     options.casts_no_shadow.push_back(!material.casts_shadow);
   return options;
-}
-
-double now_seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 }  // namespace penumbra

@@ -23,7 +23,4 @@ Scene load_built_in_scene(const std::string& name);
 /// Which of the scene's surfaces block no light.
 KernelOptions kernel_options(const Scene& scene);
 
-/// Seconds on a clock that only goes forward.
-double now_seconds();
-
 }  // namespace penumbra

@@ -175,7 +175,8 @@ std::string to_text(const SceneFacts& facts, const Scene& scene) {
   fmt::format_to(to, "bounds        {} to {}\n", text(facts.bounds.lo), text(facts.bounds.hi));
   fmt::format_to(to, "extent        {:g} (objects, without floors and walls)\n",
                  facts.object_bounds.largest_extent());
-  fmt::format_to(to, "memory        {} for the ray kernel\n", bytes_text(facts.memory_bytes));
+  fmt::format_to(to, "memory        {} for the ray kernel, {} at most in all\n",
+                 bytes_text(facts.memory_bytes), bytes_text(facts.peak_rss_bytes));
   fmt::format_to(to, "seconds       {:.3f} to load, {:.3f} to build\n", facts.load_seconds,
                  facts.build_seconds);
   return out;
@@ -218,6 +219,7 @@ std::string to_json(const SceneFacts& facts, const Scene& scene) {
                     {"object_bounds", box_json(facts.object_bounds)},
                     {"object_extent", facts.object_bounds.largest_extent()},
                     {"memory_bytes", {{"geometry", facts.memory_bytes}}},
+                    {"peak_rss_bytes", facts.peak_rss_bytes},
                     {"seconds", {{"load", facts.load_seconds}, {"build", facts.build_seconds}}}};
   // A name from a file need not be UTF-8.
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

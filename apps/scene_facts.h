@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,8 @@ struct SceneFacts {
   MeshFacts all_meshes;  ///< sums
   Box bounds, object_bounds;
   double load_seconds = 0, build_seconds = 0;
-  std::size_t memory_bytes = 0;
+  std::size_t memory_bytes = 0;      ///< of the ray kernel
+  std::uint64_t peak_rss_bytes = 0;  ///< of the whole process
 };
 
 /// The scene as its file has it, before `complete_scene`. Cost: that of `topology` for each mesh.

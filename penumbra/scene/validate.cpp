@@ -24,6 +24,14 @@ bool is_coordinate(Vec3<Number> p) {
          std::abs(p.z) <= largest_coordinate;
 }
 bool is_radius(float r) { return r > 0 && r <= largest_coordinate; }
+
+/// Unit length; zero where there is no direction. What has it to float precision stays as it is, so
+/// that validating again (a scene that went through a file) changes no bit.
+Vec3f unit(Vec3f v) {
+  if (std::abs(length_squared(Vec3d(v)) - 1) < 1e-6) return v;
+  return is_finite(v) ? normalize(v) : Vec3f{};
+}
+
 bool is_color(Color c) { return is_finite(c) && c.x >= 0 && c.y >= 0 && c.z >= 0; }
 
 /// Names the scene in the errors that its checks throw.
@@ -103,7 +111,7 @@ void check_shapes(Scene& scene, const Checker& check) {
     check.require(is_radius(r.radius), "ring", i, radius_problem, radius_hint);
     check.require(r.inner_radius >= 0 && r.inner_radius < r.radius, "ring", i,
                   "has an inner radius that is not within its radius", radius_hint);
-    r.normal = normalize(r.normal);
+    r.normal = unit(r.normal);
     check.require(r.normal != Vec3f{}, "ring", i, "has no normal", "give it a direction");
     check.require(r.surface < materials, "ring", i, surface_problem, surface_hint);
   }
@@ -113,7 +121,7 @@ void check_shapes(Scene& scene, const Checker& check) {
 void mend_normals(Mesh& mesh) {
   std::vector<std::uint32_t> missing;
   for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-    mesh.normals[i] = is_finite(mesh.normals[i]) ? normalize(mesh.normals[i]) : Vec3f{};
+    mesh.normals[i] = unit(mesh.normals[i]);
     if (mesh.normals[i] == Vec3f{}) missing.push_back(static_cast<std::uint32_t>(i));
   }
   if (missing.empty()) return;
@@ -176,7 +184,7 @@ void check_lights(Scene& scene, const Checker& check) {
     Light& light = scene.lights[i];
     check.require(is_color(light.intensity), "light", i, color_problem, color_hint);
     if (auto* sun = std::get_if<SunLight>(&light.shape)) {
-      sun->direction = is_finite(sun->direction) ? normalize(sun->direction) : Vec3f{};
+      sun->direction = unit(sun->direction);
       check.require(sun->direction != Vec3f{}, "light", i, "has no direction",
                     "point it at the sun");
       check.require(sun->half_angle_rad >= 0 && sun->half_angle_rad < std::numbers::pi_v<float> / 2,

@@ -271,13 +271,13 @@ class Render(CliTest):
     def test_lights_replace_those_of_the_file(self):
         lights = ["--light", "sphere", "-3", "-2", "5", "-.5e-1", "--light"]
         self.fail_with(2, "render", "small.nff", *SMALL, *lights[:-1], "-o", "x.exr", says="radius")
-        words = ["--light", "point", "3", "-2", "5"]
+        words = ["--light", "point", "3", "-2", "5", ".5", ".5", ".5"]  # NFF's single light has 1/2
         self.succeed("render", "small.nff", *SMALL, "-o", "file.exr")
         self.succeed("render", "small.nff", *SMALL, *words, "-o", "same.exr")
         self.succeed("compare", "file.exr", "same.exr")
-        self.succeed("render", *words, *words, "1", ".5", "0.25", "-o", "two.exr", *SMALL, "small.nff")
+        self.succeed("render", *words, *words[:5], "1", ".5", "0.25", "-o", "two.exr", *SMALL, "small.nff")
         self.fail_with(1, "compare", "file.exr", "two.exr")
-        self.succeed("render", *SMALL, "-o", "last.exr", "--light", "point 3 -2 5", "small.nff")
+        self.succeed("render", *SMALL, "-o", "last.exr", "--light", "point 3 -2 5 0.5 5e-1 .5", "small.nff")
         self.succeed("compare", "file.exr", "last.exr")
 
     def test_camera_options(self):
