@@ -141,6 +141,20 @@ HWY_NOINLINE void refine_edges(D d, const V* px, const V* py, V* edge) {
   }
 }
 
+/// Where each ray crosses the triangle's plane, by double arithmetic.
+template <class D, class V = hn::Vec<D>>
+HWY_NOINLINE V plane_crossing(D d, const Record& record, Vec3f origin, const RayLanes<D>& ray) {
+  alignas(64) float x[16], y[16], z[16], t[16];
+  hn::Store(ray.x, d, x), hn::Store(ray.y, d, y), hn::Store(ray.z, d, z);
+  const Vec3d a(record.vector(0)), b(record.vector(3)), c(record.vector(6));
+  const Vec3d normal = cross(b - a, c - a);
+  const double height = dot(a - Vec3d(origin), normal);
+  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+    t[lane] =
+        static_cast<float>(height / (normal.x * x[lane] + normal.y * y[lane] + normal.z * z[lane]));
+  return hn::Load(d, t);
+}
+
 /// Watertight (Woop, Benthin, Wald 2013): corners are sheared so that the ray runs along one axis;
 /// then the signs of the edge functions are exact in the sheared coordinates, so that triangles
 /// which share an edge or a corner let no ray pass between them. Two-sided. For the lanes whose
@@ -176,7 +190,19 @@ HWY_INLINE void intersect_triangle_along(D d, const Record& record, Vec3f origin
   hit = hn::And(hit, hn::Ne(sum, zero));
   const V depth =
       hn::Add(hn::Add(hn::Mul(edge[0], pz[0]), hn::Mul(edge[1], pz[1])), hn::Mul(edge[2], pz[2]));
-  report(hn::Div(hn::Mul(ray.scale, depth), sum), hit);
+  V t = hn::Div(hn::Mul(ray.scale, depth), sum);
+  // Slivers lose the digits of depth, and with them the side of the plane that the origin lies on.
+  V width = zero;
+  float reach = 0;
+  for (int corner = 0; corner < 3; ++corner) {
+    width = hn::Max(width, hn::Max(hn::Abs(px[corner]), hn::Abs(py[corner])));
+    reach = std::max(reach, max_abs(record.vector(3 * corner) - origin));
+  }
+  const V unsure = hn::Mul(width, hn::Set(d, 0x1p-21f * reach * reach));
+  const auto doubtful = hn::And(hit, hn::Not(hn::Gt(hn::Abs(depth), unsure)));
+  if (HWY_UNLIKELY(!hn::AllFalse(d, doubtful)))
+    t = hn::IfThenElse(doubtful, plane_crossing(d, record, origin, ray), t);
+  report(t, hit);
 }
 
 template <class D, class Report, class V = hn::Vec<D>>
