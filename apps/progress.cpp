@@ -44,7 +44,7 @@ std::string bar_text(const std::string& label, double share, const std::string& 
 }
 
 Progress::Progress(std::string label, ProgressWish wish)
-    : label_(std::move(label)), start_(now_seconds()) {
+    : label_(std::move(label)), start_(now_seconds()), last_drawn_(start_) {
   if (::isatty(STDERR_FILENO))
     style_ = Style::bar;
   else if (wish == ProgressWish::always)
@@ -67,8 +67,10 @@ void Progress::update(double share) {
     if (is_drawn_ && now - last_drawn_ < 0.1) return;
     last_drawn_ = now;
     draw_bar(share, time_left);
-  } else if (const int tenths = static_cast<int>(share * 10); tenths > tenths_) {
+  } else if (const int tenths = static_cast<int>(share * 10);
+             tenths > tenths_ && (tenths == 10 || now - last_drawn_ >= 1)) {
     tenths_ = tenths;
+    last_drawn_ = now;
     fmt::print(stderr, "{} {} %{}\n", label_, 10 * tenths,
                can_tell && tenths < 10 ? ", " + time_left : "");
   }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a long task is, on stderr: a bar with the time left on a terminal, a line each tenth
-// elsewhere.
+// How far a long task is, on stderr: a bar with the time left on a terminal, lines elsewhere.
 #pragma once
 
 #include <string>

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -143,7 +144,7 @@ void take_size(Options& o, const Scene& scene) {
 }
 
 Picture render_with_progress(const Options& o, const Scene& scene, const Kernel& kernel) {
-  Progress progress("rendering",
+  Progress progress("rendering " + std::filesystem::path(o.scene).filename().string(),
                     o.always_progress ? ProgressWish::always : ProgressWish::on_terminal);
   RenderOptions options = o.render;
   options.progress = [&progress](double share) { progress.update(share); };

@@ -311,7 +311,7 @@ class Render(CliTest):
 class Progress(CliTest):
     def test_lines_where_there_is_no_terminal(self):
         result = self.succeed("render", "small.nff", *SMALL, "-o", "x.png", "--progress")
-        self.assertRegex(result.stderr, r"rendering 100 %\n")
+        self.assertRegex(result.stderr, r"rendering small\.nff 100 %\n")
         self.assertNotIn("\r", result.stderr)
 
     def test_bar_on_a_terminal_leaves_a_clean_line(self):
@@ -322,7 +322,7 @@ class Progress(CliTest):
         os.close(theirs)
         text = os.read(ours, 1 << 16).decode()
         os.close(ours)
-        self.assertRegex(text, r"rendering \[[#.]+\] +\d+ %")
+        self.assertRegex(text, r"rendering small\.nff \[[#.]+\] +\d+ %")
         self.assertRegex(text, r"\r\x1b\[Kwrote x\.png")
 
     def test_interrupt_leaves_no_file(self):
