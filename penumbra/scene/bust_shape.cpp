@@ -130,10 +130,10 @@ double cloth(double d, Vec3d p) {
   const double across = 0.8 * (p.x - 0.42) - 0.6 * (p.z + 0.75);
   const double along = -0.6 * (p.x - 0.42) - 0.8 * (p.z + 0.75);
   const double spread = across / (1 + 0.35 * std::clamp(along, -0.8, 2.0));
-  const double phase = spread * 13 + 0.5 * std::sin(along * 2.2 + p.y);
-  const double folds = soft_abs(std::sin(phase), 0.18);
+  const double phase = spread * 11 + 0.5 * std::sin(along * 2.2 + p.y);
+  const double folds = soft_abs(std::sin(phase), 0.4);
   const double mask = ramp(-0.03, 0.05, across);
-  return d - mask * (0.05 + 0.075 * folds + 0.006 * std::sin(phase * 5 + 2 * std::sin(along * 6)));
+  return d - mask * (0.05 + 0.075 * folds + 0.004 * std::sin(phase * 3 + 2 * std::sin(along * 6)));
 }
 
 double torso(Vec3d p, Vec3d half) {

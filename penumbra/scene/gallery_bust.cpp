@@ -28,7 +28,7 @@ std::vector<double> graded_planes(double low, double high, double focus, double 
 
 Scene bust_scene() {
   Scene scene;
-  const double h = 0.0312;
+  const double h = 0.03099;
   const GridPlanes planes{graded_planes(-1.75, 1.75, 0, 0.5, 0.75 * h, 1.25 * h),
                           graded_planes(-1.3, 1.35, -0.8, 0.5, 0.75 * h, 1.25 * h),
                           graded_planes(bust_bottom - 0.1, 2.6, 0.9, 0.6, 0.75 * h, 1.25 * h)};
