@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "penumbra/scene_io/jpeg_io.h"
+
+#include <csetjmp>
+#include <cstdio>
+
+#include <jpeglib.h>
+
+namespace penumbra {
+
+namespace {
+
+/// Each scan goes through the whole picture, whatever little it has to say.
+constexpr int most_scans = 100;
+
+/// libjpeg's state with our way out: its errors jump.
+struct Decoder {
+  jpeg_decompress_struct info{};
+  jpeg_error_mgr errors{};
+  jpeg_progress_mgr progress{};
+  std::jmp_buf exit{};
+};
+
+Decoder& decoder_of(j_common_ptr info) { return *static_cast<Decoder*>(info->client_data); }
+
+void prepare(Decoder& decoder, std::string_view bytes) {
+  decoder.info.err = jpeg_std_error(&decoder.errors);
+  decoder.errors.error_exit = [](j_common_ptr info) { std::longjmp(decoder_of(info).exit, 1); };
+  decoder.errors.output_message = [](j_common_ptr) {};
+  decoder.progress.progress_monitor = [](j_common_ptr info) {
+    if (reinterpret_cast<j_decompress_ptr>(info)->input_scan_number > most_scans)
+      std::longjmp(decoder_of(info).exit, 1);
+  };
+  jpeg_create_decompress(&decoder.info);
+  decoder.info.client_data = &decoder;
+  decoder.info.progress = &decoder.progress;
+  jpeg_mem_src(&decoder.info, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+}
+
+/// False where libjpeg gives up. Nothing with a destructor lives here, since jumps run none.
+bool read_header(Decoder& decoder) {
+  if (setjmp(decoder.exit) != 0) return false;
+  if (jpeg_read_header(&decoder.info, TRUE) != JPEG_HEADER_OK) return false;
+  decoder.info.out_color_space = JCS_RGB;
+  return true;
+}
+
+bool read_rows(Decoder& decoder, std::uint8_t* codes) {
+  if (setjmp(decoder.exit) != 0) return false;
+  jpeg_start_decompress(&decoder.info);
+  while (decoder.info.output_scanline < decoder.info.output_height) {
+    const std::size_t row = decoder.info.output_scanline;
+    JSAMPROW target = codes + row * decoder.info.output_width * 3;
+    jpeg_read_scanlines(&decoder.info, &target, 1);
+  }
+  return true;
+}
+
+}  // namespace
+
+bool is_jpeg(std::string_view bytes) { return bytes.starts_with("\xFF\xD8\xFF"); }
+
+JpegImage decode_jpeg(std::string_view bytes, std::size_t most_pixels) {
+  Decoder decoder;
+  prepare(decoder, bytes);
+  JpegImage image;
+  const bool has_header = read_header(decoder);
+  const std::size_t width = decoder.info.image_width, height = decoder.info.image_height;
+  if (has_header && height > 0 && width <= most_pixels / height) {
+    image.codes.resize(width * height * 3);
+    if (read_rows(decoder, image.codes.data())) {
+      image.width = decoder.info.image_width;
+      image.height = decoder.info.image_height;
+    } else {
+      image.codes.clear();
+    }
+  }
+  jpeg_destroy_decompress(&decoder.info);
+  return image;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "penumbra/scene_io/texture_io.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <memory>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "penumbra/scene/image.h"
+#include "penumbra/scene_io/jpeg_io.h"
+
+// Compiled here, without the formats we don't take, so that none of their decoders is reachable.
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_NO_STDIO
+#define STBI_NO_FAILURE_STRINGS
+#define STBI_ONLY_PNG
+#define STBI_ONLY_TGA
+#define STBI_ONLY_BMP
+#include <stb/stb_image.h>
+
+namespace penumbra {
+
+namespace {
+
+/// More than the densest image any of the formats can hold (one-bit PNG: 8 pixels in each of the
+/// 1032 bytes that deflate makes of one), so that a claimed size needs bytes to back it.
+constexpr std::size_t most_pixels_per_byte = 8 * 1032;
+
+std::array<float, 256> code_table(ImageCoding coding) {
+  std::array<float, 256> table{};
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const float code = static_cast<float>(i) / 255;
+    table[i] = coding == ImageCoding::srgb ? linear_from_srgb(code) : code;
+  }
+  return table;
+}
+
+Texture to_texture(std::uint32_t width, std::uint32_t height, const std::uint8_t* codes,
+                   ImageCoding coding) {
+  Texture texture{width, height, std::vector<Color>(std::size_t{width} * height)};
+  const std::array<float, 256> table = code_table(coding);
+  for (Color& pixel : texture.pixels) {
+    pixel = {table[codes[0]], table[codes[1]], table[codes[2]]};
+    codes += 3;
+  }
+  return texture;
+}
+
+}  // namespace
+
+std::optional<Texture> decode_texture(std::string_view bytes, ImageCoding coding,
+                                      std::size_t most_pixels) {
+  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return std::nullopt;
+  most_pixels = std::min(most_pixels, bytes.size() * most_pixels_per_byte);
+  if (is_jpeg(bytes)) {
+    const JpegImage image = decode_jpeg(bytes, most_pixels);
+    if (image.codes.empty()) return std::nullopt;
+    return to_texture(image.width, image.height, image.codes.data(), coding);
+  }
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const int size = static_cast<int>(bytes.size());
+  int width = 0, height = 0, channels = 0;
+  if (!stbi_info_from_memory(data, size, &width, &height, &channels)) return std::nullopt;
+  if (width <= 0 || height <= 0) return std::nullopt;
+  if (static_cast<std::size_t>(width) > most_pixels / static_cast<std::size_t>(height))
+    return std::nullopt;
+  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> codes(
+      stbi_load_from_memory(data, size, &width, &height, &channels, 3), &stbi_image_free);
+  if (!codes) return std::nullopt;
+  return to_texture(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
+                    codes.get(), coding);
+}
+
+std::optional<std::filesystem::path> find_beside(const std::filesystem::path& beside,
+                                                 std::string_view name) {
+  std::string text(name);
+  for (char& c : text)
+    if (c == '\\') c = '/';
+  if (text.empty() || text.find('\0') != std::string::npos) return std::nullopt;
+  const std::filesystem::path path(text), folder = beside.parent_path();
+  const auto is_file = [](const std::filesystem::path& p) {
+    std::error_code problem;
+    return std::filesystem::is_regular_file(p, problem);
+  };
+  if (!path.is_absolute() && is_file(folder / path)) return folder / path;
+  if (path.has_filename() && is_file(folder / path.filename())) return folder / path.filename();
+  return std::nullopt;
+}
+
+std::int32_t TextureLoader::from_file(std::string_view name, std::size_t line) {
+  const std::string key = "file " + std::string(name);
+  if (const auto known = known_.find(key); known != known_.end()) return known->second;
+  const auto path = find_beside(source_.path, name);
+  if (!path) {
+    warnings_.add(fmt::format("the texture '{}' is missing; its surfaces are plain", name), line);
+    return known_[key] = -1;
+  }
+  try {
+    return from_bytes(key, load(*path).bytes);
+  } catch (const Error& error) {
+    warnings_.add(fmt::format("the texture '{}' cannot be read: {}", name, error.problem), line);
+    return known_[key] = -1;
+  }
+}
+
+std::int32_t TextureLoader::from_bytes(const std::string& key, std::string_view bytes) {
+  if (const auto known = known_.find(key); known != known_.end()) return known->second;
+  auto texture = decode_texture(bytes, ImageCoding::srgb, pixels_left_);
+  if (!texture) {
+    warnings_.add(
+        fmt::format("the image of {} is no PNG, JPEG, TGA or BMP, is damaged, or is too large; its "
+                    "surfaces are plain",
+                    key));
+    return known_[key] = -1;
+  }
+  pixels_left_ -= texture->pixels.size();
+  scene_.textures.push_back(std::move(*texture));
+  return known_[key] = static_cast<std::int32_t>(scene_.textures.size()) - 1;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Base colour images, and the other files that a scene's file names: found beside it, read with
+// limits, decoded once.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "penumbra/scene/scene.h"
+#include "penumbra/scene_io/source.h"
+
+namespace penumbra {
+
+/// How an image's codes become numbers: colours are sRGB, everything else is stored as it is.
+enum class ImageCoding { srgb, plain };
+
+/// PNG, JPEG, TGA or BMP as a texture (alpha is dropped); nothing where the bytes are none of these
+/// or more than `most_pixels`, which is checked before anything is allocated for them.
+std::optional<Texture> decode_texture(std::string_view bytes, ImageCoding coding,
+                                      std::size_t most_pixels);
+
+/// The regular file that a scene's file calls `name` (slashes of either kind): relative to the
+/// folder of `beside`, or of that name in the folder itself; absolute paths are looked for by their
+/// last part only. Nothing where there is none.
+std::optional<std::filesystem::path> find_beside(const std::filesystem::path& beside,
+                                                 std::string_view name);
+
+/// Puts textures into a scene: each file is decoded once, all of them together stay below 2^27
+/// pixels. What cannot be had is one warning, and -1 (no texture).
+class TextureLoader {
+ public:
+  TextureLoader(const Source& source, Scene& scene, Warnings& warnings)
+      : source_(source), scene_(scene), warnings_(warnings) {}
+
+  /// Index of the texture in the scene. `line`: of the mention, for the warning.
+  std::int32_t from_file(std::string_view name, std::size_t line = 0);
+  /// The same for an image inside the scene's file; `key` names it.
+  std::int32_t from_bytes(const std::string& key, std::string_view bytes);
+
+ private:
+  const Source& source_;
+  Scene& scene_;
+  Warnings& warnings_;
+  std::map<std::string, std::int32_t> known_;
+  std::size_t pixels_left_ = std::size_t{1} << 27;
+};
+
+}  // namespace penumbra
