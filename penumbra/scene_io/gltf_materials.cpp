@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "penumbra/scene_io/gltf_materials.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "penumbra/scene_io/gltf_uri.h"
+
+namespace penumbra {
+
+namespace {
+
+struct Builder {
+  const GltfDocument& gltf;
+  TextureLoader& textures;
+  Warnings& warnings;
+};
+
+Color color_of(const GltfDocument& gltf, const Json& json, const char* key, std::size_t count,
+               Color otherwise) {
+  const auto numbers = numbers_of(gltf, json, key, count);
+  if (!numbers) return otherwise;
+  return max(Color(Vec3d{(*numbers)[0], (*numbers)[1], (*numbers)[2]}), Color{});
+}
+
+/// The image that a texture reference stands for.
+std::optional<std::size_t> image_of(const GltfDocument& gltf, const Json& reference) {
+  const auto texture = index_of(gltf, reference, "index");
+  if (!texture) return std::nullopt;
+  return index_of(gltf, element(gltf, "textures", *texture), "source");
+}
+
+std::int32_t load_texture(Builder& b, const Json& reference) {
+  const auto image = image_of(b.gltf, reference);
+  if (!image) {
+    b.warnings.add("a texture in a format other than PNG and JPEG is not read");
+    return -1;
+  }
+  const Json& json = element(b.gltf, "images", *image);
+  if (const std::string uri = string_of(b.gltf, json, "uri"); !uri.empty()) {
+    if (!is_data_uri(uri)) return b.textures.from_file(decode_uri(uri));
+    return b.textures.from_bytes(fmt::format("image {}", *image),
+                                 uri_bytes(b.gltf, uri).value_or(""));
+  }
+  const auto view = index_of(b.gltf, json, "bufferView");
+  if (!view) b.gltf.fail(fmt::format("image {} has neither a file nor a buffer view", *image));
+  return b.textures.from_bytes(fmt::format("image {}", *image), buffer_view(b.gltf, *view).bytes);
+}
+
+/// The mean of an image that holds numbers, not colours; white where it cannot be had.
+Color mean_of(Builder& b, const Json& reference) {
+  constexpr std::size_t most_pixels = std::size_t{1} << 26;
+  const auto image = image_of(b.gltf, reference);
+  if (!image) return {1, 1, 1};
+  const Json& json = element(b.gltf, "images", *image);
+  std::optional<Texture> texture;
+  if (const std::string uri = string_of(b.gltf, json, "uri"); !uri.empty()) {
+    if (const auto bytes = uri_bytes(b.gltf, uri))
+      texture = decode_texture(*bytes, ImageCoding::plain, most_pixels);
+  } else if (const auto view = index_of(b.gltf, json, "bufferView")) {
+    texture = decode_texture(buffer_view(b.gltf, *view).bytes, ImageCoding::plain, most_pixels);
+  }
+  if (!texture || texture->pixels.empty()) return {1, 1, 1};
+  Vec3d sum;
+  for (Color c : texture->pixels) sum += Vec3d(c);
+  return Color(sum / static_cast<double>(texture->pixels.size()));
+}
+
+GltfUvUse uv_use(const GltfDocument& gltf, const Json& reference) {
+  GltfUvUse use;
+  use.set = index_of(gltf, reference, "texCoord").value_or(0);
+  const Json* transform = extension(reference, "KHR_texture_transform");
+  if (!transform) return use;
+  use.set = index_of(gltf, *transform, "texCoord").value_or(use.set);
+  use.rotation_rad = number_of(gltf, *transform, "rotation", 0);
+  if (const auto offset = numbers_of(gltf, *transform, "offset", 2))
+    use.offset_u = (*offset)[0], use.offset_v = (*offset)[1];
+  if (const auto scale = numbers_of(gltf, *transform, "scale", 2))
+    use.scale_u = (*scale)[0], use.scale_v = (*scale)[1];
+  return use;
+}
+
+/// Phong's exponent whose lobe is as wide as that of this roughness (alpha = roughness²; Walter et
+/// al. 2007, and Lafortune and Willems' normalisation).
+void set_highlight(Material& m, Color f0, double roughness) {
+  const double alpha = std::max(roughness * roughness, 1e-3);
+  m.shininess = static_cast<float>(std::clamp(2 / (alpha * alpha) - 2, 1.0, 2000.0));
+  m.highlight = min(f0 * std::min((m.shininess + 2) / 2, 8.0f), Color{1, 1, 1});
+}
+
+void set_metal_and_glass(Builder& b, const Json& json, Material& m) {
+  static const Json empty = Json::object();
+  const Json* found = member(json, "pbrMetallicRoughness");
+  const Json& pbr = found ? *found : empty;
+  double metal = std::clamp(number_of(b.gltf, pbr, "metallicFactor", 1), 0.0, 1.0);
+  double roughness = std::clamp(number_of(b.gltf, pbr, "roughnessFactor", 1), 0.0, 1.0);
+  if (const Json* map = member(pbr, "metallicRoughnessTexture"); map && metal > 0) {
+    // One material has one metalness here: the mean of the map's.
+    const Color mean = mean_of(b, *map);
+    roughness *= static_cast<double>(mean.y), metal *= static_cast<double>(mean.z);
+  }
+  const Color base = m.diffuse;
+  const auto smooth = static_cast<float>((1 - roughness) * (1 - roughness));
+  const auto metallic = static_cast<float>(metal);
+  m.mirror = base * (metallic * smooth);
+  m.diffuse = base * (1 - metallic * smooth);
+
+  double ior = 1.5;
+  if (const Json* e = extension(json, "KHR_materials_ior"))
+    ior = std::max(number_of(b.gltf, *e, "ior", 1.5), 1.0);
+  const double reflected = (ior - 1) / (ior + 1);
+  const auto dielectric = static_cast<float>(reflected * reflected);
+  set_highlight(m, Color{dielectric, dielectric, dielectric} * (1 - metallic) + base * metallic,
+                roughness);
+
+  const Json* glass = extension(json, "KHR_materials_transmission");
+  if (!glass) return;
+  const auto share = static_cast<float>(
+      std::clamp(number_of(b.gltf, *glass, "transmissionFactor", 0), 0.0, 1.0) * (1 - metal));
+  m.transmission = base * share;
+  m.diffuse *= 1 - share;
+  m.mirror += Color{dielectric, dielectric, dielectric} * (share * smooth);
+  // Without a volume the surface is a thin wall, which bends nothing.
+  const Json* volume = extension(json, "KHR_materials_volume");
+  if (volume && number_of(b.gltf, *volume, "thicknessFactor", 0) > 0)
+    m.refraction_index = static_cast<float>(ior);
+}
+
+/// KHR_materials_pbrSpecularGlossiness, which older files have instead of metal and roughness.
+void set_specular_glossiness(const GltfDocument& gltf, const Json& specular, Material& m) {
+  const double glossiness = std::clamp(number_of(gltf, specular, "glossinessFactor", 1), 0.0, 1.0);
+  set_highlight(m, color_of(gltf, specular, "specularFactor", 3, {1, 1, 1}) * 0.1f, 1 - glossiness);
+}
+
+void set_emission(Builder& b, const Json& json, Material& m) {
+  const Color factor = color_of(b.gltf, json, "emissiveFactor", 3, {});
+  if (max_abs(factor) == 0) return;
+  if (member(json, "emissiveTexture")) {
+    b.warnings.add("textures of glowing surfaces are not read; those do not glow");
+    return;
+  }
+  double strength = 1;
+  if (const Json* e = extension(json, "KHR_materials_emissive_strength"))
+    strength = std::max(number_of(b.gltf, *e, "emissiveStrength", 1), 0.0);
+  m.emission = factor * static_cast<float>(strength);
+}
+
+GltfUvUse add_material(Builder& b, const Json& json, Scene& scene) {
+  Material m;
+  GltfUvUse use;
+  m.name = string_of(b.gltf, json, "name");
+  const Json* specular = extension(json, "KHR_materials_pbrSpecularGlossiness");
+  const Json* pbr = member(json, "pbrMetallicRoughness");
+  const Json* base = specular ? specular : pbr;
+  m.diffuse = {1, 1, 1};
+  if (base) {
+    m.diffuse =
+        color_of(b.gltf, *base, specular ? "diffuseFactor" : "baseColorFactor", 4, {1, 1, 1});
+    if (const Json* map = member(*base, specular ? "diffuseTexture" : "baseColorTexture")) {
+      m.texture = load_texture(b, *map);
+      use = uv_use(b.gltf, *map);
+    }
+  }
+  if (specular)
+    set_specular_glossiness(b.gltf, *specular, m);
+  else
+    set_metal_and_glass(b, json, m);
+  set_emission(b, json, m);
+  const std::string alpha = string_of(b.gltf, json, "alphaMode");
+  if (!alpha.empty() && alpha != "OPAQUE")
+    b.warnings.add("alpha is not read: see-through parts are drawn opaque");
+  scene.materials.push_back(std::move(m));
+  return use;
+}
+
+}  // namespace
+
+Vec2f to_uv(const GltfUvUse& use, float u, float v) {
+  const double su = use.scale_u * static_cast<double>(u), sv = use.scale_v * static_cast<double>(v);
+  const double c = std::cos(use.rotation_rad), s = std::sin(use.rotation_rad);
+  return {static_cast<float>(use.offset_u + c * su + s * sv),
+          static_cast<float>(1 - (use.offset_v - s * su + c * sv))};
+}
+
+std::vector<GltfUvUse> add_materials(const GltfDocument& gltf, Scene& scene,
+                                     TextureLoader& textures, Warnings& warnings) {
+  Builder builder{gltf, textures, warnings};
+  std::vector<GltfUvUse> uses;
+  const std::size_t count = element_count(gltf, "materials");
+  for (std::size_t i = 0; i < count; ++i)
+    uses.push_back(add_material(builder, element(gltf, "materials", i), scene));
+  scene.materials.push_back({});
+  uses.push_back({});
+  return uses;
+}
+
+}  // namespace penumbra
