@@ -2,11 +2,13 @@
 // The program's commands, one file each.
 #pragma once
 
-#include <CLI/App.hpp>
-
 #include <functional>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;  // the library takes long to compile
+}
 
 namespace penumbra {
 

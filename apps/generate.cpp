@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <CLI/App.hpp>
+
 #include <cstdio>
 #include <memory>
 

@@ -3,8 +3,6 @@
 // option's own name is added by `add_parsed`.
 #pragma once
 
-#include <CLI/App.hpp>
-
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
@@ -16,6 +14,11 @@
 #include "penumbra/scene/complete_scene.h"
 #include "penumbra/scene_io/read_scene.h"
 #include "penumbra/trace/render.h"
+
+namespace CLI {
+class App;  // the library takes long to compile
+class Option;
+}  // namespace CLI
 
 namespace penumbra {
 
