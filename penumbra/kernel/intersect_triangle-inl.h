@@ -12,7 +12,10 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cfloat>
+#include <cmath>
+#include <cstdint>
 
 #include "penumbra/kernel/lanes-inl.h"
 #include "penumbra/kernel/record.h"
@@ -47,17 +50,37 @@ HWY_NOINLINE void refine_edges(D d, const V* px, const V* py, V* edge) {
   }
 }
 
-/// Where each ray crosses the triangle's plane, by double arithmetic.
+/// Where a ray that passes the triangle crosses its plane, by double arithmetic. Where the ray runs
+/// so flat that this lies outside the triangle by more than `doubt`, the nearest t that doesn't.
+inline double exact_crossing(Vec3d a, Vec3d b, Vec3d c, Vec3d origin, Vec3d direction,
+                             double doubt) {
+  const Vec3d normal = cross(b - a, c - a), corner[3] = {a, b, c};
+  const double t = dot(a - origin, normal) / dot(direction, normal);
+  if (!(t > 0) || !std::isfinite(t)) return t;  // leaves the plane
+  double first = -DBL_MAX, last = DBL_MAX;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3d inward = cross(normal, corner[(k + 1) % 3] - corner[k]);
+    const double inside = dot(origin - corner[k], inward) + doubt * length(inward);
+    const double slope = dot(direction, inward);
+    if (slope > 0) first = std::max(first, -inside / slope);
+    if (slope < 0) last = std::min(last, -inside / slope);
+  }
+  return std::clamp(t, std::min(first, last), std::max(first, last));
+}
+
+/// The same for the lanes of `wanted`.
 template <class D, class V = hn::Vec<D>>
-HWY_NOINLINE V plane_crossing(D d, const Record& record, Vec3f origin, const RayLanes<D>& ray) {
-  alignas(64) float x[16], y[16], z[16], t[16];
+HWY_NOINLINE V exact_crossings(D d, const Record& record, Vec3f origin, const RayLanes<D>& ray,
+                               hn::Mask<D> wanted, float doubt) {
+  alignas(64) float x[16], y[16], z[16], t[16] = {};
   hn::Store(ray.x, d, x), hn::Store(ray.y, d, y), hn::Store(ray.z, d, z);
   const Vec3d a(record.vector(0)), b(record.vector(3)), c(record.vector(6));
-  const Vec3d normal = cross(b - a, c - a);
-  const double height = dot(a - Vec3d(origin), normal);
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(d, wanted, bits);
   for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
-    t[lane] =
-        static_cast<float>(height / (normal.x * x[lane] + normal.y * y[lane] + normal.z * z[lane]));
+    if (bits[lane / 8] >> lane % 8 & 1)
+      t[lane] = static_cast<float>(
+          exact_crossing(a, b, c, Vec3d(origin), {x[lane], y[lane], z[lane]}, doubt));
   return hn::Load(d, t);
 }
 
@@ -97,17 +120,22 @@ HWY_INLINE void intersect_triangle_along(D d, const Record& record, Vec3f origin
   const V depth =
       hn::Add(hn::Add(hn::Mul(edge[0], pz[0]), hn::Mul(edge[1], pz[1])), hn::Mul(edge[2], pz[2]));
   V t = hn::Div(hn::Mul(ray.scale, depth), sum);
-  // Slivers lose the digits of depth, and with them the side of the plane that the origin lies on.
   V width = zero;
   float reach = 0;
   for (int corner = 0; corner < 3; ++corner) {
     width = hn::Max(width, hn::Max(hn::Abs(px[corner]), hn::Abs(py[corner])));
     reach = std::max(reach, max_abs(record.vector(3 * corner) - origin));
   }
-  const V unsure = hn::Mul(width, hn::Set(d, 0x1p-21f * reach * reach));
-  const auto doubtful = hn::And(hit, hn::Not(hn::Gt(hn::Abs(depth), unsure)));
+  // Float loses the side of the plane that the origin lies on when that is near; and where along
+  // the ray the triangle is when that sees a sliver. FLT_MIN: products may have underflown.
+  const V unsure = hn::Set(d, 0x1p-21f * reach * reach), tiny = hn::Set(d, FLT_MIN / 0x1p-21f);
+  const auto sure =
+      hn::And(hn::Gt(hn::Abs(depth), hn::Max(hn::Mul(width, unsure), tiny)),
+              hn::Gt(hn::Abs(sum), hn::Mul(hn::Set(d, 0.125f), hn::Mul(width, width))));
+  const auto doubtful = hn::And(hit, hn::Not(sure));
   if (HWY_UNLIKELY(!hn::AllFalse(d, doubtful)))
-    t = hn::IfThenElse(doubtful, plane_crossing(d, record, origin, ray), t);
+    t = hn::IfThenElse(doubtful,
+                       exact_crossings(d, record, origin, ray, doubtful, 0x1p-22f * reach), t);
   report(t, hit);
 }
 

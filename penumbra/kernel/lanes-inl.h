@@ -69,6 +69,13 @@ HWY_INLINE V dot(const Vec3Lanes<V>& a, const Vec3Lanes<V>& b) {
   return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
 
+template <class V>
+HWY_INLINE Vec3Lanes<V> cross(const Vec3Lanes<V>& a, const Vec3Lanes<V>& b) {
+  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)),
+          hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
+          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
+}
+
 /// a + s b
 template <class V>
 HWY_INLINE Vec3Lanes<V> along(const Vec3Lanes<V>& a, V s, const Vec3Lanes<V>& b) {

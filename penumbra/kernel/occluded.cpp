@@ -124,11 +124,12 @@ HWY_INLINE void test_leaf(const WideTree& tree, const Packet& packet, NodeRef le
 constexpr int few = 4;
 
 /// One ray, nearest child first: what blocks it is often close to where the others found theirs.
-void traverse_alone(const WideTree& tree, const LightSamples& rays, std::uint32_t index, NodeRef start,
-                    std::uint32_t bit, Progress& progress) {
+void traverse_alone(const WideTree& tree, const LightSamples& rays, std::uint32_t index,
+                    NodeRef start, std::uint32_t bit, Progress& progress) {
   const hn::CappedTag<float, 1> d;
   const Vec3f direction{rays.x[index], rays.y[index], rays.z[index]};
-  const auto ray = make_ray_lanes(d, hn::Set(d, direction.x), hn::Set(d, direction.y), hn::Set(d, direction.z));
+  const auto ray =
+      make_ray_lanes(d, hn::Set(d, direction.x), hn::Set(d, direction.y), hn::Set(d, direction.z));
   const Shaft shaft = make_shaft(rays.origin, direction, direction, rays.t_max);
   const auto t_max = hn::Set(d, rays.t_max);
   NodeRef stack[stack_size];
@@ -186,7 +187,8 @@ void traverse(const WideTree& tree, const Packet& packet, NodeRef start, std::ui
         traverse(tree, packet, entry.ref, rays, progress);
       } else {
         for (std::uint32_t rest = rays; rest != 0; rest &= rest - 1)
-          traverse_alone(tree, packet.rays, packet.first + static_cast<std::uint32_t>(__builtin_ctz(rest)), entry.ref,
+          traverse_alone(tree, packet.rays,
+                         packet.first + static_cast<std::uint32_t>(__builtin_ctz(rest)), entry.ref,
                          rest & -rest, progress);
       }
       continue;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "penumbra/geometry/light_sampling.h"
@@ -128,6 +129,13 @@ inline Vec3f point_of_interest(const ShapeSet& shapes, ShapeRef ref, Random& ran
   return a + (b - a) * u + (c - a) * (random.uniform(0, 1) * (1 - u));
 }
 
+/// What breaks slab tests: zeros of either sign, numbers whose reciprocal is infinite, and (rarely)
+/// what is no number.
+inline float odd_component(Random& random) {
+  constexpr float odd[] = {0, -0.0f, 1e-42f, -1e-42f, 1e-38f, -1e-38f};
+  return random.one_in(50) ? std::numeric_limits<float>::quiet_NaN() : odd[random.below(6)];
+}
+
 /// A packet: one origin, `count` directions, some towards points of interest, some grazing, some
 /// along axes.
 inline LightSamples random_packet(const ShapeSet& shapes, const std::vector<ShapeRef>& refs,
@@ -147,7 +155,7 @@ inline LightSamples random_packet(const ShapeSet& shapes, const std::vector<Shap
     Vec3f target = towards + random.in_cube() * (place.scale * spread);
     if (random.one_in(4)) target = interesting();
     Vec3f d = target - rays.origin;
-    if (random.one_in(8)) d[static_cast<int>(random.below(3))] = 0;
+    if (random.one_in(8)) d[static_cast<int>(random.below(3))] = odd_component(random);
     if (random.one_in(8)) d = d * 2.0f;
     rays.x[i] = d.x, rays.y[i] = d.y, rays.z[i] = d.z;
   }

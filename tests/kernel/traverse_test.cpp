@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "penumbra/kernel/traverse.h"
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <cstring>
+#include <string>
+
+#include "penumbra/kernel/kernel.h"
+#include "tests/kernel/nasty_shapes.h"
+
+namespace penumbra {
+namespace {
+
+/// Everything a kernel says about a row of random cases, as bits.
+struct Answers {
+  std::string instruction_set;
+  std::vector<std::uint32_t> words;
+};
+
+void ask(const Kernel& kernel, const LightSamples& rays, std::vector<std::uint32_t>& words) {
+  const std::size_t count = (rays.count + 31) / 32;
+  std::vector<std::uint32_t> active(count, 0xffffffffu), blocked(count);
+  active.back() >>= 32 * count - rays.count;
+  const std::uint64_t tests = kernel.occluded(rays, active, blocked);
+  words.insert(words.end(), blocked.begin(), blocked.end());
+  words.push_back(static_cast<std::uint32_t>(tests));
+  const auto nearest = kernel.closest({rays.origin, {rays.x[0], rays.y[0], rays.z[0]}});
+  words.push_back(nearest.tests);
+  words.push_back(nearest.hit ? nearest.hit->shape.index : 0xffffffffu);
+  words.push_back(nearest.hit ? nearest.hit->shape.triangle : 0xffffffffu);
+  std::uint32_t t = 0;
+  if (nearest.hit) std::memcpy(&t, &nearest.hit->t, sizeof t);
+  words.push_back(t);
+}
+
+Answers ask_all() {
+  nasty::Random random(31);
+  Answers answers{instruction_set(), {}};
+  for (int round = 0; round < 40; ++round)
+    for (ShapeKind kind :
+         {ShapeKind::sphere, ShapeKind::cone, ShapeKind::ring, ShapeKind::triangle}) {
+      const nasty::Place place = nasty::random_place(random);
+      const ShapeSet shapes = nasty::random_shapes(kind, 2 + random.below(60), place, random);
+      const std::vector<ShapeRef> refs = all_primitives(shapes);
+      if (refs.empty()) continue;
+      const Kernel kernel(shapes, {});
+      for (int packet = 0; packet < 20; ++packet)
+        ask(kernel, nasty::random_packet(shapes, refs, place, 1 + random.below(70), random),
+            answers.words);
+    }
+  return answers;
+}
+
+/// Puts the processor's own instruction sets back.
+struct RestrictTargets {
+  explicit RestrictTargets(std::int64_t target) { set(target); }
+  ~RestrictTargets() { set(0); }
+  static void set(std::int64_t targets) {
+    hwy::SetSupportedTargetsForTest(targets);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+};
+
+/// Lanes of 4, 8 and 16 rays give the same hits, the same t and the same counts.
+TEST(Traverse, EveryInstructionSetGivesTheSameBits) {
+  const Answers expected = ask_all();
+  std::string seen;
+  for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
+    const RestrictTargets only(targets & -targets);
+    const Answers answers = ask_all();
+    EXPECT_EQ(answers.words, expected.words) << answers.instruction_set;
+    seen += answers.instruction_set + " ";
+  }
+  RecordProperty("instruction_sets", seen);
+}
+
+}  // namespace
+}  // namespace penumbra
