@@ -16,7 +16,8 @@
 
 namespace penumbra {
 
-/// Points origin + t direction, t_min < t < t_max. The direction need not be unit length.
+/// Points origin + t direction, t_min < t < t_max, t_min >= 0. The direction need not be unit
+/// length, but 1e-18 to 1e18: others may miss what they should hit (the same in every kernel).
 struct Ray {
   Vec3f origin, direction;
   float t_min = 0, t_max = std::numeric_limits<float>::infinity();

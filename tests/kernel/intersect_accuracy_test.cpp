@@ -67,7 +67,7 @@ Accuracy measure_kind(ShapeKind kind, std::uint64_t rays, std::uint64_t seed) {
     const LightSamples packet = nasty::random_packet(shapes, refs, place, 64, random);
     for (std::uint32_t i = 0; i < packet.count; ++i) {
       const Vec3f direction{packet.x[i], packet.y[i], packet.z[i]};
-      if (is_finite(direction) && direction != Vec3f{})
+      if (is_finite(direction) && max_abs(direction) > 1e-18f)
         measure(shapes, kernel, packet.origin, direction, accuracy);
     }
   }
