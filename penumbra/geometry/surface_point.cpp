@@ -6,11 +6,12 @@
 namespace penumbra {
 namespace {
 
-/// Where the line meets the plane, or its point at t where it runs along the plane.
+/// Where the line meets the plane, or what of the plane is next to its point at t where the line
+/// runs so flat that these are not the same.
 Vec3d on_plane(Vec3d origin, Vec3d direction, double t, Vec3d point, Vec3d normal) {
-  const double slope = dot(direction, normal);
-  const double exact = dot(point - origin, normal) / slope;
-  const Vec3d p = origin + direction * (std::isfinite(exact) ? exact : t);
+  const double exact = dot(point - origin, normal) / dot(direction, normal);
+  const bool is_same = std::abs(exact - t) <= 0x1p-16 * std::abs(t);
+  const Vec3d p = origin + direction * (is_same ? exact : t);
   return p - normal * dot(p - point, normal);
 }
 

@@ -10,9 +10,12 @@
 namespace penumbra {
 
 /// Numbers by kind (world space):
-///   sphere    centre 3, radius
-///   cone      base 3, unit axis 3, height, base radius, apex radius, slope (apex - base radius) /
-///   height ring      centre 3, unit normal 3, radius, inner radius triangle  corners 9
+///   - sphere: centre 3, radius
+///   - cone: base 3, unit axis 3, height, base radius, apex radius, slope (their difference over
+///   the
+///     height)
+///   - ring: centre 3, unit normal 3, radius, inner radius
+///   - triangle: corners 9
 struct Record {
   std::array<float, 10> number{};
   std::uint32_t id = 0;  ///< position in `all_primitives`

@@ -91,11 +91,13 @@ Visibility visibility(const Kernel& kernel, const LightShape& light, const Recei
       break;
   }
   const std::uint32_t above = weigh(receiver.normal, scratch);
-  if (above == 0) return {};
+  const bool is_doubtful = !is_finite(receiver.position) || !is_finite(receiver.normal) ||
+                           contains(light, receiver.position);
+  if (above == 0) return {0, 0, is_doubtful ? ShadowClass::penumbra : ShadowClass::umbra};
   counters.rays += above;
   counters.tests += kernel.occluded(scratch.samples, scratch.active, scratch.blocked);
   Visibility result = sum_up(scratch);
-  if (contains(light, receiver.position))
+  if (is_doubtful)
     result.shadow_class = ShadowClass::penumbra;
   else if (result.fraction == 0)
     result.shadow_class = ShadowClass::umbra;

@@ -48,7 +48,7 @@ float terminator(const ShadingPoint& point, Vec3f to_light) {
               shading = dot(to_light, point.shading_normal);
   if (!(geometric > 0) || !(shading > 0)) return 0;
   const float g = std::min(1.0f, geometric / (shading * dot(point.normal, point.shading_normal)));
-  return g >= 0 ? (g - g * g + g) * g : 0;
+  return g >= 0 ? (1 + g - g * g) * g : 0;
 }
 
 }  // namespace
@@ -93,13 +93,17 @@ Vec3f mirrored(const ShadingPoint& point) {
 }
 
 std::optional<Vec3f> refracted(const ShadingPoint& point) {
-  const Vec3f n = point.shading_normal;
   const float index = point.material->refraction_index;
   const float eta = point.surface.is_back ? index : 1 / index;
-  const float cosine = dot(n, point.to_viewer);
-  const float square = 1 - eta * eta * (1 - cosine * cosine);
-  if (!(square >= 0)) return {};
-  return n * (eta * cosine - std::sqrt(square)) - point.to_viewer * eta;
+  const auto about = [&](Vec3f n) -> std::optional<Vec3f> {
+    const float cosine = dot(n, point.to_viewer);
+    const float square = 1 - eta * eta * (1 - cosine * cosine);
+    if (!(square >= 0)) return {};
+    return n * (eta * cosine - std::sqrt(square)) - point.to_viewer * eta;
+  };
+  const std::optional<Vec3f> direction = about(point.shading_normal);
+  return direction && dot(*direction, point.normal) >= 0 ? about(point.normal)  // never back out
+                                                         : direction;
 }
 
 }  // namespace penumbra
