@@ -26,7 +26,7 @@ int run(const GenerateOptions& options) {
     const DeferredSignals until_written;
     write_scene(options.output, scene);
   }
-  fmt::print(stderr, "wrote {}: {} primitives, {} lights\n", options.output,
+  fmt::print(stderr, "wrote {}: from a scene of {} primitives and {} lights\n", options.output,
              primitive_count(scene.shapes), scene.lights.size());
   return 0;
 }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -94,6 +95,7 @@ int main_with(const std::vector<std::string>& arguments) {
 }  // namespace penumbra
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is a write error, reported like any other
   try {
     return penumbra::main_with({argv, argv + argc});
   } catch (const std::exception& error) {

@@ -136,6 +136,17 @@ void check(const Options& o) {
     throw UsageError("--aov needs an .exr file; a PNG holds colours alone");
 }
 
+/// One file for two purposes would end as neither.
+void check_files_differ(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return;
+  std::error_code ignored;
+  const auto same = std::filesystem::weakly_canonical(a, ignored) ==
+                    std::filesystem::weakly_canonical(b, ignored);
+  if (same || std::filesystem::equivalent(a, b, ignored))
+    throw UsageError(
+        fmt::format("{} and {} are the same file; give the output another name", a, b));
+}
+
 void take_size(Options& o, const Scene& scene) {
   const PixelSize size = o.size.value_or(PixelSize{scene.camera->width, scene.camera->height});
   o.render.width = size.width;
@@ -156,7 +167,12 @@ Picture render_with_progress(const Options& o, const Scene& scene, const Kernel&
 int run(Options o, const std::vector<std::string>& arguments) {
   o.complete.lights = parse_lights(o.light_words);
   check(o);
-  if (!o.pixel) check_image_path(o.output);
+  if (!o.pixel) {
+    check_files_differ(o.scene, o.output);
+    check_files_differ(o.scene, o.stats);
+    check_files_differ(o.output, o.stats);
+    check_image_path(o.output);
+  }
   if (!o.pixel && !o.stats.empty()) check_output_path(o.stats);
 
   RenderReport report{o.scene, arguments, {}, 0, 0, 0};

@@ -79,12 +79,16 @@ std::string summary(const std::string& output, const Picture& picture) {
   const RenderCounters& n = picture.counters;
   const std::uint64_t queries = n.shadow.lit + n.shadow.penumbra + n.shadow.umbra;
   const auto percent = [&](std::uint64_t part) { return 100 * ratio(part, queries); };
+  const bool is_dark = n.shadow.rays > 0 && n.shadow.lit + n.shadow.penumbra == 0;
   return fmt::format(
       "wrote {}: {}x{}, {:.1f} s; rays: {} primary, {} reflected, {} refracted, {} shadow; "
-      "lit {:.0f} %, penumbra {:.0f} %, umbra {:.0f} %",
+      "lit {:.0f} %, penumbra {:.0f} %, umbra {:.0f} %{}",
       output, picture.image.width, picture.image.height, picture.seconds.render, n.primary,
       n.reflected, n.refracted, n.shadow.rays, percent(n.shadow.lit), percent(n.shadow.penumbra),
-      percent(n.shadow.umbra));
+      percent(n.shadow.umbra),
+      is_dark ? "\nno light reaches what is seen: are the lights under the ground, or inside "
+                "something? (see --light, --ground, and `penumbra info`)"
+              : "");
 }
 
 }  // namespace penumbra

@@ -9,8 +9,8 @@
 namespace penumbra {
 
 struct ChildLimits {
-  std::size_t memory_bytes = std::size_t{8} << 30;  ///< beyond what this process has already
-  std::size_t output_bytes = std::size_t{4} << 30;
+  std::size_t memory_bytes = std::size_t{3} << 30;  ///< beyond what this process has already
+  std::size_t output_bytes = std::size_t{2} << 30;
   unsigned cpu_seconds = 120;
   unsigned wall_seconds = 180;
 };

@@ -38,6 +38,7 @@ struct PlyElement {
 struct PlyHeader {
   PlyFormat format = PlyFormat::ascii;
   std::vector<PlyElement> elements;
+  Vec3d up{0, 1, 0};      ///< y, unless a comment `up x y z` says otherwise
   std::size_t size = 0;   ///< bytes up to the first value
   std::size_t lines = 0;  ///< of the header
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <charconv>
 
 #include "penumbra/scene_io/light_spec.h"
 #include "penumbra/scene_io/numbers.h"
@@ -122,6 +123,22 @@ std::size_t size_in_bytes(PlyType type) {
 
 bool is_integer(PlyType type) { return type != PlyType::float32 && type != PlyType::float64; }
 
+namespace {
+
+/// `comment up x y z`, as `write_scene` leaves it; a comment that is none of these is free text.
+void read_up(const Line& line, PlyHeader& header) {
+  if (line.words.size() != 5 || line.words[1] != "up") return;
+  Vec3d up;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string& word = line.words[static_cast<std::size_t>(axis) + 2];
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), up[axis]);
+    if (error != std::errc() || end != word.data() + word.size()) return;
+  }
+  if (is_finite(up) && max_abs(up) > 0) header.up = normalize(up);
+}
+
+}  // namespace
+
 PlyHeader read_ply_header(const Source& source) {
   HeaderReader reader(source);
   PlyHeader header;
@@ -132,6 +149,7 @@ PlyHeader read_ply_header(const Source& source) {
   for (;;) {
     const Line line = reader.next();
     const std::string word = line.words.empty() ? "comment" : line.words[0];
+    if (word == "comment") read_up(line, header);
     if (word == "comment" || word == "obj_info") continue;
     if (word == "end_header") break;
     if (word == "format") {

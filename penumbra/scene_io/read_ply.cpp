@@ -258,7 +258,7 @@ Scene read_ply(const Source& source, Warnings& warnings) {
   const PlyHeader header = read_ply_header(source);
   Scene scene;
   scene.wants_ground = true;
-  scene.up = {0, 1, 0};
+  scene.up = header.up;
   Material material;
   Mesh mesh = read_mesh(source, header, warnings);
   if (mesh.triangles.empty())

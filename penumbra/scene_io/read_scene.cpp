@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/scene_io/read_scene.h"
 
+#include <fmt/format.h>
+
 #include <assimp/cimport.h>
+#include <algorithm>
 
 #include <string_view>
 
@@ -79,6 +82,22 @@ Scene read(const Source& source, Format format, const ReadOptions& options, Warn
 
 }  // namespace
 
+namespace {
+
+/// Scenes are in single precision: far from the origin little of a small model is left.
+void warn_of_lost_digits(const Scene& scene, Warnings& warnings) {
+  const Box box = object_bounds(scene.shapes);
+  if (box.is_empty()) return;
+  const float step = 0x1p-23f * std::max(max_abs(box.lo), max_abs(box.hi));
+  if (step > 1e-5f * box.largest_extent())
+    warnings.add(
+        fmt::format("so far from the origin coordinates are rounded to steps of {:.2g}, and "
+                    "the objects measure {:.2g}; move them to the origin",
+                    step, box.largest_extent()));
+}
+
+}  // namespace
+
 SceneFile read_scene(const std::filesystem::path& path, const ReadOptions& options) {
   Source source = load(path);
   Warnings warnings(path.string());
@@ -89,9 +108,10 @@ SceneFile read_scene(const std::filesystem::path& path, const ReadOptions& optio
   file.scene = read(source, format, options, warnings);
   file.scene.name = path.string();
   const ValidationReport report = validate(file.scene);
-  if (report.degenerate_triangles > 0)
-    warnings.add(std::to_string(report.degenerate_triangles) +
-                 " degenerate triangles are left out");
+  if (const std::size_t count = report.degenerate_triangles; count > 0)
+    warnings.add(
+        fmt::format("{} degenerate triangle{} left out", count, count == 1 ? " is" : "s are"));
+  warn_of_lost_digits(file.scene, warnings);
   file.warnings = warnings.lines();
   return file;
 }

@@ -92,7 +92,10 @@ std::size_t unpack_member(const std::filesystem::path& path, std::string_view pa
     const int status = inflate(&stream, Z_NO_FLUSH);
     at += in - stream.avail_in;
     used += room - stream.avail_out;
-    if (used > unpacked_limit) fail_gzip(path, at, "it unpacks to more than 2 GiB");
+    if (used > unpacked_limit)
+      throw Error({path.string(), {}, at},
+                  "it unpacks to more than 2 GiB, the most that is read from gzip",
+                  "unpack it with gunzip, and give the file itself");
     if (status == Z_STREAM_END) break;
     if (status == Z_MEM_ERROR) fail_gzip(path, at, "out of memory");
     if (status == Z_BUF_ERROR && at == packed.size()) fail_gzip(path, at, "it is cut off");

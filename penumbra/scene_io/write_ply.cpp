@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -48,8 +50,10 @@ Columns common_columns(const std::vector<const Mesh*>& meshes) {
   return columns;
 }
 
-std::string header_text(std::size_t vertices, std::size_t triangles, const Columns& columns) {
+std::string header_text(std::size_t vertices, std::size_t triangles, const Columns& columns,
+                        Vec3f up) {
   std::string out = "ply\nformat binary_little_endian 1.0\ncomment written by penumbra\n";
+  out += fmt::format("comment up {} {} {}\n", up.x, up.y, up.z);
   out += "element vertex " + std::to_string(vertices) + "\n";
   out += "property float x\nproperty float y\nproperty float z\n";
   if (columns.normals) out += "property float nx\nproperty float ny\nproperty float nz\n";
@@ -88,7 +92,7 @@ std::string to_ply(const Scene& scene, const std::string& file) {
     triangles += mesh->triangles.size();
   }
   if (triangles == 0) throw Error({file, {}, {}}, "the scene has no triangles", "write .nff");
-  std::string out = header_text(vertices, triangles, columns);
+  std::string out = header_text(vertices, triangles, columns, Vec3f(scene.up));
   for (const Mesh* mesh : meshes) append_vertices(out, *mesh, columns);
   std::uint32_t base = 0;
   for (const Mesh* mesh : meshes) {
