@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Any hit for the rays of one receiver. They go down the hierarchy together as one shaft; where the
-// shaft is wider than half a child's box, each ray is tested against the box, and when at most half of
-// the rays are left, they go on as a shaft of their own, down to single rays. What is found does
+// shaft is wider than half a child's box, each ray is tested against the box, and when at most half
+// of the rays are left, they go on as a shaft of their own, down to single rays. What is found does
 // not depend on any of this.
 #include "penumbra/kernel/traverse.h"
 
