@@ -90,7 +90,7 @@ SurfacePoint surface_point(const ShapeSet& shapes, ShapeRef ref, Vec3d origin, V
   point.is_back = dot(point.normal, direction) > 0;
   if (point.is_back) point.normal = -point.normal;
   constexpr double ulp = 0x1p-24;
-  point.offset = 16 * ulp * (max_abs(point.position) + bounds(shapes, ref).largest_extent());
+  point.offset = 32 * ulp * (max_abs(point.position) + bounds(shapes, ref).largest_extent());
   return point;
 }
 

@@ -19,9 +19,9 @@ struct SurfacePoint {
 };
 
 /// The point nearest to origin + t direction on the primitive that was hit there. Degenerate
-/// primitives give some finite point. offset = 16 ulp of (largest coordinate + extent of the
-/// primitive): the intersector's error at the distance of one extent is below 8 ulp of that (see
-/// tests).
+/// primitives give some finite point. offset = 32 ulp of (largest coordinate + extent of the
+/// primitive): the intersector's own error at that distance is below it for all shapes (but for
+/// sharp corners of triangles seen edge-on), and the rounding of p' is 1 ulp.
 SurfacePoint surface_point(const ShapeSet& shapes, ShapeRef ref, Vec3d origin, Vec3d direction,
                            double t);
 

@@ -60,22 +60,21 @@ class Tree {
   }
 
   Color secondary(const ShadingPoint& point, const Branch& branch) {
-    const Material& material = *point.material;
-    Color sum;
-    const auto reflect = [&](Color coefficient) {
+    Color mirror = point.material->mirror, sum;
+    const Color transmission = point.material->transmission;
+    if (max_abs(transmission) > 0) {
+      if (const auto through = refracted(point)) {
+        ++scratch_.counters.refracted;
+        sum += transmission * follow({Vec3d(behind_position(point.surface)), Vec3d(*through),
+                                      2 * branch.path + 1, branch.depth + 1});
+      } else {
+        mirror += transmission;  // total reflection carries what would have gone through
+      }
+    }
+    if (max_abs(mirror) > 0) {
       ++scratch_.counters.reflected;
-      return coefficient * follow({Vec3d(point.receiver), Vec3d(mirrored(point)), 2 * branch.path,
-                                   branch.depth + 1});
-    };
-    if (max_abs(material.mirror) > 0) sum += reflect(material.mirror);
-    if (!(max_abs(material.transmission) > 0)) return sum;
-    if (const auto through = refracted(point)) {
-      ++scratch_.counters.refracted;
-      sum += material.transmission * follow({Vec3d(behind_position(point.surface)), Vec3d(*through),
-                                             2 * branch.path + 1, branch.depth + 1});
-    } else if (!(max_abs(material.mirror) > 0)) {
-      sum +=
-          reflect(material.transmission);  // total reflection carries what would have gone through
+      sum += mirror * follow({Vec3d(point.receiver), Vec3d(mirrored(point)), 2 * branch.path,
+                              branch.depth + 1});
     }
     return sum;
   }
