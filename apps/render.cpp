@@ -14,6 +14,7 @@
 #include "deferred_signals.h"
 #include "options.h"
 #include "penumbra/scene_io/image_io.h"
+#include "penumbra/scene_io/numbers.h"
 #include "penumbra/scene_io/write_scene.h"
 #include "progress.h"
 #include "render_report.h"
@@ -164,7 +165,19 @@ Picture render_with_progress(const Options& o, const Scene& scene, const Kernel&
   return render(scene, kernel, options);
 }
 
+/// The words of --light have no end of their own: a scene that stands behind them is taken back.
+void take_scene_from_lights(Options& o) {
+  std::vector<std::string>& words = o.light_words;
+  if (o.scene.empty() && words.size() > 1 && !parse_double(words.back())) {
+    o.scene = words.back();
+    words.pop_back();
+  }
+  if (o.scene.empty())
+    throw UsageError("SCENE is missing: a file, or the name of a built-in scene");
+}
+
 int run(Options o, const std::vector<std::string>& arguments) {
+  take_scene_from_lights(o);
   o.complete.lights = parse_lights(o.light_words);
   check(o);
   if (!o.pixel) {
@@ -204,7 +217,7 @@ int run(Options o, const std::vector<std::string>& arguments) {
 Command add_render(CLI::App& program, const std::vector<std::string>& arguments) {
   CLI::App* app = program.add_subcommand("render", "Render a scene to a picture");
   const auto options = std::make_shared<Options>();
-  app->add_option("SCENE", options->scene, scene_argument_help)->required();
+  app->add_option("SCENE", options->scene, scene_argument_help);
   add_picture_options(*app, *options);
   add_shadow_options(*app, *options);
   add_scene_options(*app, *options);
