@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <charconv>
 
 #include "penumbra/scene_io/light_spec.h"
 #include "penumbra/scene_io/numbers.h"
@@ -130,9 +129,9 @@ void read_up(const Line& line, PlyHeader& header) {
   if (line.words.size() != 5 || line.words[1] != "up") return;
   Vec3d up;
   for (int axis = 0; axis < 3; ++axis) {
-    const std::string& word = line.words[static_cast<std::size_t>(axis) + 2];
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), up[axis]);
-    if (error != std::errc() || end != word.data() + word.size()) return;
+    const auto value = parse_double(line.words[static_cast<std::size_t>(axis) + 2]);
+    if (!value) return;
+    up[axis] = *value;
   }
   if (is_finite(up) && max_abs(up) > 0) header.up = normalize(up);
 }

@@ -55,8 +55,8 @@ struct Picture {
 };
 
 /// The scene must be complete (`complete_scene`) and the kernel built from its shapes.
-/// Same scene, seed and options give the same bits for any `threads` and `tile`. Neither throws nor
-/// allocates per ray.
+/// Same scene, seed and options give the same bits for any `threads` and `tile`. Does not throw;
+/// memory is allocated by tile and pixel, not by ray.
 Picture render(const Scene& scene, const Kernel& kernel, const RenderOptions& options);
 
 /// Everything about one pixel as text for people: each path of the ray tree, hit, normal, each
