@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "penumbra/shadow/light_hull.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace penumbra {
+namespace {
+
+/// Corners of the polygon drawn around a disk: 2 % wider.
+constexpr int disk_corners = 16;
+
+std::vector<Vec3d> around_disk(Vec3d normal, double radius) {
+  const Frame<double> frame = frame_around(normal);
+  const double outer = radius / std::cos(std::numbers::pi / disk_corners) * (1 + 1e-12);
+  std::vector<Vec3d> corners;
+  for (int k = 0; k < disk_corners; ++k) {
+    const double angle = 2 * std::numbers::pi * k / disk_corners;
+    corners.push_back(frame.u * (outer * std::cos(angle)) + frame.v * (outer * std::sin(angle)));
+  }
+  return corners;
+}
+
+/// From anywhere in the box nothing of it is that far away.
+double reach_of(const Box& scene) { return 2 * length(Vec3d(scene.hi) - Vec3d(scene.lo)) + 1e-30; }
+
+std::vector<Vec3d> corners_of(const PointLight&) { return {{}}; }
+
+std::vector<Vec3d> corners_of(const ParallelogramLight& light) {
+  const Vec3d u(light.u), v(light.v);
+  return {u + v, u - v, -u - v, -u + v};
+}
+
+}  // namespace
+
+LightHull::LightHull(const LightShape& light, const Box& scene) {
+  if (const auto* ball = std::get_if<BallLight>(&light)) {
+    center_ = Vec3d(ball->center), size_ = ball->radius;
+    return;
+  }
+  if (const auto* sun = std::get_if<SunLight>(&light)) {
+    const double reach = reach_of(scene);
+    is_sun_ = is_disk_ = true;
+    normal_ = normalize(Vec3d(sun->direction));
+    center_ = normal_ * reach;
+    size_ = reach * std::tan(double(sun->half_angle_rad)) * (1 + 1e-6);
+    corners_ = around_disk(normal_, size_);
+    return;
+  }
+  center_ = Vec3d(*penumbra::center(light));
+  if (const auto* point = std::get_if<PointLight>(&light)) corners_ = corners_of(*point);
+  if (const auto* rect = std::get_if<ParallelogramLight>(&light)) corners_ = corners_of(*rect);
+  for (const Vec3d& corner : corners_) size_ = std::max(size_, length(corner));
+}
+
+Vec3d LightHull::spread(Vec3d n) const {
+  if (is_disk_) return normalize(n - normal_ * dot(n, normal_)) * size_;
+  if (is_ball()) return normalize(n) * size_;
+  Vec3d best = corners_.front();
+  for (const Vec3d& corner : corners_)
+    if (dot(corner, n) > dot(best, n)) best = corner;
+  return best;
+}
+
+double LightHull::doubt(Vec3f p) const {
+  return 0x1p-20 * (length(Vec3d(p)) + length(center(p) - Vec3d(p)) + 2 * size_);
+}
+
+double LightHull::least_height(Vec3f p, Vec3d n) const {
+  return dot(n, center(p) - Vec3d(p) + spread(-n)) - doubt(p) * length(n);
+}
+
+}  // namespace penumbra
