@@ -30,10 +30,10 @@ NearestRecord nearest_brute(std::span<const Record> records, const Ray& ray) {
   return search.nearest;
 }
 
-std::uint64_t occluded_brute(std::span<const Record> records, const LightSamples& rays,
-                             std::span<const std::uint32_t> active,
-                             std::span<std::uint32_t> blocked) {
-  std::uint64_t tests = 0;
+OccludedReport occluded_brute(std::span<const Record> records, const LightSamples& rays,
+                              std::span<const std::uint32_t> active,
+                              std::span<std::uint32_t> blocked) {
+  OccludedReport report;
   const auto always = hn::FirstN(one, 1);
   std::fill(blocked.begin(), blocked.end(), 0u);
   for (std::uint32_t i = 0; i < rays.count; ++i) {
@@ -42,15 +42,16 @@ std::uint64_t occluded_brute(std::span<const Record> records, const LightSamples
     const auto lanes = lanes_of({rays.x[i], rays.y[i], rays.z[i]});
     for (const Record& record : records) {
       if (!record.casts_shadow) continue;
-      ++tests;
+      ++report.tests;
       if (hn::AllFalse(one, target::meets(one, record, rays.origin, lanes, hn::Set(one, rays.t_max),
                                           always)))
         continue;
       blocked[i / 32] |= bit;
+      report.blocker = static_cast<std::uint32_t>(&record - records.data());
       break;
     }
   }
-  return tests;
+  return report;
 }
 
 }  // namespace penumbra

@@ -43,15 +43,14 @@ void* create_leaf(RTCThreadLocalAllocator arena, const RTCBuildPrimitive* primit
   return leaf;
 }
 
-RTCBuildPrimitive build_primitive(const Record& record, unsigned index) {
-  const Box b = bounds(record);
+RTCBuildPrimitive build_primitive(const Box& b, unsigned index) {
   return {b.lo.x, b.lo.y, b.lo.z, 0, b.hi.x, b.hi.y, b.hi.z, index};
 }
 
-/// Embree's tree -> ours, depth first, records in leaf order.
+/// Embree's tree -> ours, depth first.
 class Flattener {
  public:
-  Flattener(const std::vector<Record>& records, WideTree& tree) : records_(records), tree_(tree) {}
+  explicit Flattener(BoxTree& tree) : tree_(tree) {}
 
   NodeRef add(const BuiltNode& built) {
     if (built.children == 0) return add_leaf(built);
@@ -67,8 +66,8 @@ class Flattener {
   }
 
   NodeRef add_leaf(const BuiltNode& leaf) {
-    const auto first = static_cast<std::uint32_t>(tree_.records.size());
-    for (unsigned i = 0; i < leaf.records; ++i) tree_.records.push_back(records_[leaf.record[i]]);
+    const auto first = static_cast<std::uint32_t>(tree_.order.size());
+    tree_.order.insert(tree_.order.end(), leaf.record, leaf.record + leaf.records);
     return NodeRef::leaf(first, leaf.records);
   }
 
@@ -79,23 +78,22 @@ class Flattener {
   }
 
  private:
-  const std::vector<Record>& records_;
-  WideTree& tree_;
+  BoxTree& tree_;
 };
 
 }  // namespace
 
-WideTree build_wide_tree(std::vector<Record> records) {
-  WideTree tree;
-  if (records.empty()) return tree;
-  if (records.size() >= 1u << 27) throw std::length_error("more than 2^27 primitives");
+BoxTree build_box_tree(std::span<const Box> boxes) {
+  BoxTree tree;
+  if (boxes.empty()) return tree;
+  if (boxes.size() >= 1u << 27) throw std::length_error("more than 2^27 primitives");
   const std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)> device(rtcNewDevice(nullptr),
                                                                          &rtcReleaseDevice);
   if (!device) throw std::runtime_error("Embree gives no device");
   const std::unique_ptr<RTCBVHTy, decltype(&rtcReleaseBVH)> bvh(rtcNewBVH(device.get()),
                                                                 &rtcReleaseBVH);
-  std::vector<RTCBuildPrimitive> primitives(records.size());
-  for (unsigned i = 0; i < records.size(); ++i) primitives[i] = build_primitive(records[i], i);
+  std::vector<RTCBuildPrimitive> primitives(boxes.size());
+  for (unsigned i = 0; i < boxes.size(); ++i) primitives[i] = build_primitive(boxes[i], i);
 
   RTCBuildArguments arguments = rtcDefaultBuildArguments();
   arguments.buildQuality = RTC_BUILD_QUALITY_HIGH;
@@ -116,20 +114,31 @@ WideTree build_wide_tree(std::vector<Record> records) {
   const auto* root = static_cast<const BuiltNode*>(rtcBuildBVH(&arguments));
   if (!root) throw std::runtime_error("Embree could not build the hierarchy");
 
-  tree.records.reserve(records.size());
-  Flattener flattener(records, tree);
+  tree.order.reserve(boxes.size());
+  Flattener flattener(tree);
   if (root->children > 0) {
     flattener.add(*root);
-  } else {  // all records in one leaf: a root with one child
+  } else {  // all boxes in one leaf: a root with one child
     tree.nodes.emplace_back();
     WideNode node;
     node.child[0] = flattener.add_leaf(*root);
     Box box;
-    for (const Record& record : tree.records) box.add(bounds(record));
+    for (const Box& b : boxes) box.add(b);
     Flattener::set_box(node, 0, {box.lo.x, box.lo.y, box.lo.z, 0, box.hi.x, box.hi.y, box.hi.z, 0});
     tree.nodes[0] = node;
   }
   tree.nodes.shrink_to_fit();
+  return tree;
+}
+
+WideTree build_wide_tree(const std::vector<Record>& records) {
+  std::vector<Box> boxes;
+  boxes.reserve(records.size());
+  for (const Record& record : records) boxes.push_back(bounds(record));
+  BoxTree boxed = build_box_tree(boxes);
+  WideTree tree{std::move(boxed.nodes), {}};
+  tree.records.reserve(records.size());
+  for (const std::uint32_t i : boxed.order) tree.records.push_back(records[i]);
   return tree;
 }
 

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "penumbra/kernel/traverse.h"
-
 namespace penumbra {
 
 struct Kernel::Data {
@@ -59,7 +57,7 @@ Kernel::Kernel(const ShapeSet& shapes, const KernelOptions& options) {
   data->box = penumbra::bounds(shapes);
   std::vector<Record> records = all_records(shapes, options.casts_no_shadow);
   switch (options.kind) {
-    case KernelKind::wide: data->tree = build_wide_tree(std::move(records)); break;
+    case KernelKind::wide: data->tree = build_wide_tree(records); break;
     case KernelKind::brute: data->tree.records = std::move(records); break;
   }
   data_ = std::move(data);
@@ -78,12 +76,14 @@ Kernel::ClosestResult Kernel::closest(const Ray& ray) const {
   return result;
 }
 
-std::uint64_t Kernel::occluded(const LightSamples& rays, std::span<const std::uint32_t> active,
-                               std::span<std::uint32_t> blocked) const {
+OccludedReport Kernel::occluded(const LightSamples& rays, std::span<const std::uint32_t> active,
+                                std::span<std::uint32_t> blocked) const {
   return data_->kind == KernelKind::wide
              ? penumbra::occluded(data_->tree, rays, active, blocked)
              : occluded_brute(data_->tree.records, rays, active, blocked);
 }
+
+std::span<const Record> Kernel::records() const { return data_->tree.records; }
 
 std::size_t Kernel::memory_bytes() const { return data_->tree.memory_bytes(); }
 

@@ -13,6 +13,8 @@
 
 #include "penumbra/geometry/light_sampling.h"
 #include "penumbra/geometry/shape.h"
+#include "penumbra/kernel/record.h"
+#include "penumbra/kernel/traverse.h"
 
 namespace penumbra {
 
@@ -57,9 +59,12 @@ class Kernel {
   /// Which of the rays of one receiver are blocked. Bit i of `active` says that ray i is wanted;
   /// bit i of `blocked` is set if and only if it is wanted and at least one shadow-casting
   /// primitive meets its open segment. Both hold ceil(count / 32) words. Equal, bit for bit, for
-  /// every KernelKind and instruction set. Returns how many (ray, primitive) tests were made.
-  std::uint64_t occluded(const LightSamples& rays, std::span<const std::uint32_t> active,
-                         std::span<std::uint32_t> blocked) const;
+  /// every KernelKind and instruction set.
+  OccludedReport occluded(const LightSamples& rays, std::span<const std::uint32_t> active,
+                          std::span<std::uint32_t> blocked) const;
+
+  /// The shapes in the form that is traversed, in an order of the kernel's own.
+  std::span<const Record> records() const;
 
   std::size_t memory_bytes() const;
   Box bounds() const;

@@ -14,6 +14,7 @@
 
 #include "penumbra/kernel/intersect-inl.h"
 #include "penumbra/kernel/shaft-inl.h"
+#include "penumbra/kernel/walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace penumbra::HWY_NAMESPACE {
@@ -105,7 +106,7 @@ HWY_INLINE std::uint32_t through_box(const WideNode& node, int child, const Pack
 
 struct Progress {
   std::uint32_t remaining = 0;
-  std::uint64_t tests = 0;
+  OccludedReport report;
 };
 
 HWY_INLINE void test_leaf(const WideTree& tree, const Packet& packet, NodeRef leaf,
@@ -113,17 +114,18 @@ HWY_INLINE void test_leaf(const WideTree& tree, const Packet& packet, NodeRef le
   for (std::uint32_t i = 0; i < leaf.count() && wanted != 0; ++i) {
     const Record& record = tree.records[leaf.first() + i];
     if (!record.casts_shadow) continue;
-    progress.tests += static_cast<std::uint64_t>(__builtin_popcount(wanted));
+    progress.report.tests += static_cast<std::uint64_t>(__builtin_popcount(wanted));
     const std::uint32_t blocked = blocked_by(record, packet, wanted);
+    if (blocked == 0) continue;
     wanted &= ~blocked;
     progress.remaining &= ~blocked;
+    progress.report.blocker = leaf.first() + i;
   }
 }
 
 /// With so few rays left, each goes alone.
 constexpr int few = 4;
 
-/// One ray, nearest child first: what blocks it is often close to where the others found theirs.
 void traverse_alone(const WideTree& tree, const LightSamples& rays, std::uint32_t index,
                     NodeRef start, std::uint32_t bit, Progress& progress) {
   const hn::CappedTag<float, 1> d;
@@ -132,34 +134,18 @@ void traverse_alone(const WideTree& tree, const LightSamples& rays, std::uint32_
       make_ray_lanes(d, hn::Set(d, direction.x), hn::Set(d, direction.y), hn::Set(d, direction.z));
   const Shaft shaft = make_shaft(rays.origin, direction, direction, rays.t_max);
   const auto t_max = hn::Set(d, rays.t_max);
-  NodeRef stack[stack_size];
-  int top = 0;
-  stack[top++] = start;
-  while (top > 0) {
-    const NodeRef ref = stack[--top];
-    if (ref.is_leaf()) {
-      for (std::uint32_t i = 0; i < ref.count(); ++i) {
-        const Record& record = tree.records[ref.first() + i];
-        if (!record.casts_shadow) continue;
-        ++progress.tests;
-        if (hn::AllFalse(d, meets(d, record, rays.origin, ray, t_max, hn::FirstN(d, 1)))) continue;
-        progress.remaining &= ~bit;
-        return;
-      }
-      continue;
+  walk_from(tree.nodes, start, shaft, [&](std::uint32_t first, std::uint32_t count) {
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      const Record& record = tree.records[i];
+      if (!record.casts_shadow) continue;
+      ++progress.report.tests;
+      if (hn::AllFalse(d, meets(d, record, rays.origin, ray, t_max, hn::FirstN(d, 1)))) continue;
+      progress.remaining &= ~bit;
+      progress.report.blocker = i;
+      return true;
     }
-    const WideNode& node = tree.nodes[ref.node()];
-    alignas(32) float near[WideNode::width];
-    std::uint32_t met = overlap(shaft, node, near).met;
-    int nearest = top;
-    float least = std::numeric_limits<float>::infinity();
-    for (; met != 0; met &= met - 1) {
-      const int child = __builtin_ctz(met);
-      if (near[child] < least) least = near[child], nearest = top;
-      stack[top++] = node.child[child];
-    }
-    if (top > nearest) std::swap(stack[nearest], stack[top - 1]);
-  }
+    return false;
+  });
 }
 
 void traverse(const WideTree& tree, const Packet& packet, NodeRef start, std::uint32_t wanted,
@@ -206,20 +192,26 @@ void traverse(const WideTree& tree, const Packet& packet, NodeRef start, std::ui
   }
 }
 
-std::uint64_t OccludedWide(const WideTree& tree, const LightSamples& rays,
-                           std::span<const std::uint32_t> active,
-                           std::span<std::uint32_t> blocked) {
-  std::uint64_t tests = 0;
+OccludedReport OccludedWide(const WideTree& tree, const LightSamples& rays,
+                            std::span<const std::uint32_t> active,
+                            std::span<std::uint32_t> blocked) {
+  Progress progress;
   for (std::uint32_t word = 0; 32 * word < rays.count; ++word) {
     blocked[word] = 0;
     if (active[word] == 0 || tree.nodes.empty()) continue;
     const Packet packet(rays, 32 * word);
-    Progress progress{active[word], 0};
+    progress.remaining = active[word];
     traverse(tree, packet, NodeRef::inner(0), active[word], progress);
     blocked[word] = active[word] & ~progress.remaining;
-    tests += progress.tests;
   }
-  return tests;
+  return progress.report;
+}
+
+void OccludedByOne(const Record& record, const LightSamples& rays,
+                   std::span<const std::uint32_t> active, std::span<std::uint32_t> blocked) {
+  for (std::uint32_t word = 0; 32 * word < rays.count; ++word)
+    blocked[word] =
+        active[word] == 0 ? 0 : blocked_by(record, Packet(rays, 32 * word), active[word]);
 }
 
 }  // namespace penumbra::HWY_NAMESPACE
@@ -229,10 +221,16 @@ HWY_AFTER_NAMESPACE();
 namespace penumbra {
 
 HWY_EXPORT(OccludedWide);
+HWY_EXPORT(OccludedByOne);
 
-std::uint64_t occluded(const WideTree& tree, const LightSamples& rays,
-                       std::span<const std::uint32_t> active, std::span<std::uint32_t> blocked) {
+OccludedReport occluded(const WideTree& tree, const LightSamples& rays,
+                        std::span<const std::uint32_t> active, std::span<std::uint32_t> blocked) {
   return HWY_DYNAMIC_DISPATCH(OccludedWide)(tree, rays, active, blocked);
+}
+
+void occluded_by(const Record& record, const LightSamples& rays,
+                 std::span<const std::uint32_t> active, std::span<std::uint32_t> blocked) {
+  HWY_DYNAMIC_DISPATCH(OccludedByOne)(record, rays, active, blocked);
 }
 
 }  // namespace penumbra

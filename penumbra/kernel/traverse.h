@@ -20,16 +20,45 @@ struct NearestRecord {
   bool found = false;
 };
 
+inline constexpr std::uint32_t no_record = 0xffffffffu;
+
+/// What an any-hit query did: (ray, record) tests, and the last record that was found to block
+/// (`no_record` if none).
+struct OccludedReport {
+  std::uint64_t tests = 0;
+  std::uint32_t blocker = no_record;
+};
+
 // Through the tree, on the best instruction set that this processor has.
 NearestRecord nearest(const WideTree& tree, const Ray& ray);
-std::uint64_t occluded(const WideTree& tree, const LightSamples& rays,
-                       std::span<const std::uint32_t> active, std::span<std::uint32_t> blocked);
+OccludedReport occluded(const WideTree& tree, const LightSamples& rays,
+                        std::span<const std::uint32_t> active, std::span<std::uint32_t> blocked);
+
+/// The active rays that one record blocks.
+void occluded_by(const Record& record, const LightSamples& rays,
+                 std::span<const std::uint32_t> active, std::span<std::uint32_t> blocked);
+
+/// The leaves that a ray may pass, nearest child first: `leaf(context, first, count)` gets runs of
+/// the tree's order, and ends the walk when it returns true. Passes by no box that the ray meets,
+/// grown by 2^-19 of its farthest coordinate from the origin (see intersect-inl.h). Returns whether
+/// a leaf ended it.
+using VisitLeaf = bool (*)(void* context, std::uint32_t first, std::uint32_t count);
+bool walk(std::span<const WideNode> nodes, const Ray& ray, VisitLeaf leaf, void* context);
+
+/// The same for a callable bool(first, count).
+template <class Leaf>
+bool walk(std::span<const WideNode> nodes, const Ray& ray, Leaf leaf) {
+  const auto call = [](void* context, std::uint32_t first, std::uint32_t count) -> bool {
+    return (*static_cast<Leaf*>(context))(first, count);
+  };
+  return walk(nodes, ray, call, &leaf);
+}
 
 // One ray and one record at a time, on the compiler's baseline instruction set: the judge.
 NearestRecord nearest_brute(std::span<const Record> records, const Ray& ray);
-std::uint64_t occluded_brute(std::span<const Record> records, const LightSamples& rays,
-                             std::span<const std::uint32_t> active,
-                             std::span<std::uint32_t> blocked);
+OccludedReport occluded_brute(std::span<const Record> records, const LightSamples& rays,
+                              std::span<const std::uint32_t> active,
+                              std::span<std::uint32_t> blocked);
 
 /// The instruction set that `nearest` and `occluded` run on, such as "AVX2".
 const char* instruction_set();

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The eight-wide hierarchy: nodes of eight boxes, records in leaf order.
+// The eight-wide hierarchy: nodes of eight boxes, leaves that are runs of what it holds.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "penumbra/geometry/shape.h"
@@ -45,19 +46,27 @@ struct alignas(64) WideNode {
 inline constexpr int most_levels = 64;
 inline constexpr int stack_size = most_levels * WideNode::width;
 
-/// (1) Every record lies in exactly one leaf; (2) every node's box holds the boxes of its records
-/// (`bounds(Record)`) exactly; (3) the same shapes give the same tree, whatever the number of
-/// threads.
+/// A hierarchy over boxes: (1) every box lies in exactly one leaf; (2) every node's box holds the
+/// boxes below it exactly; (3) the same boxes give the same tree, whatever the number of threads.
+struct BoxTree {
+  std::vector<WideNode> nodes;       ///< the first is the root; empty when there are no boxes
+  std::vector<std::uint32_t> order;  ///< the boxes in leaf order: leaves are runs of this
+};
+
+/// Surface area heuristic by Embree's builder (`rtcBuildBVH`, high quality). Throws
+/// std::runtime_error when Embree cannot be had, std::length_error for 2^27 boxes and more.
+/// Cost: O(n log n) over all cores.
+BoxTree build_box_tree(std::span<const Box> boxes);
+
+/// A hierarchy over records (`bounds(Record)`), which lie in leaf order.
 struct WideTree {
-  std::vector<WideNode> nodes;  ///< the first is the root; empty when nothing can be hit
+  std::vector<WideNode> nodes;
   std::vector<Record> records;
   std::size_t memory_bytes() const {
     return nodes.capacity() * sizeof(WideNode) + records.capacity() * sizeof(Record);
   }
 };
 
-/// Surface area heuristic by Embree's builder (`rtcBuildBVH`, high quality). Throws
-/// std::runtime_error when Embree cannot be had, std::length_error for 2^27 records and more.
-WideTree build_wide_tree(std::vector<Record> records);
+WideTree build_wide_tree(const std::vector<Record>& records);
 
 }  // namespace penumbra
