@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "options.h"
 #include "penumbra/kernel/kernel.h"
+#include "penumbra/trace/prepare.h"
 #include "resources.h"
 #include "scene_argument.h"
 #include "scene_facts.h"

@@ -61,8 +61,10 @@ Value choose(std::string_view text, std::span<const Choice<Value>> choices) {
   throw UsageError("expected one of " + names);
 }
 
-constexpr std::array methods = {Choice<Method>{"hard", Method::hard},
-                                Choice<Method>{"stochastic", Method::stochastic}};
+constexpr std::array methods = {
+    Choice<Method>{"hard", Method::hard}, Choice<Method>{"stochastic", Method::stochastic},
+    Choice<Method>{"offset", Method::offset}, Choice<Method>{"reduced", Method::reduced},
+    Choice<Method>{"umbra", Method::umbra}};
 
 }  // namespace
 

@@ -16,6 +16,7 @@
 #include "penumbra/scene_io/image_io.h"
 #include "penumbra/scene_io/numbers.h"
 #include "penumbra/scene_io/write_scene.h"
+#include "penumbra/trace/prepare.h"
 #include "progress.h"
 #include "render_report.h"
 #include "resources.h"
@@ -30,6 +31,7 @@ struct Options {
   ReadOptions read;
   SceneOptions complete;
   RenderOptions render;
+  Method method = Method::stochastic;
   std::optional<PixelSize> size;  ///< none: the camera's own
   std::optional<PixelPosition> pixel;
   std::vector<std::string> light_words;
@@ -61,8 +63,8 @@ void add_shadow_options(CLI::App& app, Options& o) {
   const auto add = [&app](const char* name, const char* value, const char* help, auto parse) {
     add_parsed(app, name, value, help, parse)->group("Shadows");
   };
-  add("--method", "M", "hard or stochastic (default)",
-      [&o](Text text) { o.render.method = parse_method(text); });
+  add("--method", "M", "stochastic (default), offset, reduced, umbra (the same picture), or hard",
+      [&o](Text text) { o.method = parse_method(text); });
   add("--shadow-samples", "D", "Samples a point and light (default 32)", [&o](Text text) {
     o.render.shadow_samples = static_cast<std::uint32_t>(parse_count(text, 1, 65536));
   });
@@ -157,12 +159,12 @@ void take_size(Options& o, const Scene& scene) {
                                  o.pixel->y, size.width, size.height));
 }
 
-Picture render_with_progress(const Options& o, const Scene& scene, const Kernel& kernel) {
+Picture render_with_progress(const Options& o, const Scene& scene, const ShadowScene& shadows) {
   Progress progress("rendering " + std::filesystem::path(o.scene).filename().string(),
                     o.always_progress ? ProgressWish::always : ProgressWish::on_terminal);
   RenderOptions options = o.render;
   options.progress = [&progress](double share) { progress.update(share); };
-  return render(scene, kernel, options);
+  return render(scene, shadows, options);
 }
 
 /// The words of --light have no end of their own: a scene that stands behind them is taken back.
@@ -188,22 +190,24 @@ int run(Options o, const std::vector<std::string>& arguments) {
   }
   if (!o.pixel && !o.stats.empty()) check_output_path(o.stats);
 
-  RenderReport report{o.scene, arguments, {}, 0, 0, 0};
+  RenderReport report{o.scene, arguments, {}, o.method, 0, 0, 0, 0};
   const double start = now_seconds();
   const Scene scene = complete_scene(load_scene(o.scene, o.read), o.complete);
   take_size(o, scene);
   const double loaded = now_seconds();
   const Kernel kernel(scene.shapes, kernel_options(scene));
+  const ShadowScene shadows = prepare_shadows(scene, kernel, o.method);
   report.load_seconds = loaded - start;
   report.build_seconds = now_seconds() - loaded;
   report.geometry_bytes = kernel.memory_bytes();
+  report.shadow_bytes = shadows.memory_bytes();
   report.options = o.render;
 
   if (o.pixel) {
-    fmt::print("{}", explain_pixel(scene, kernel, o.render, o.pixel->x, o.pixel->y));
+    fmt::print("{}", explain_pixel(scene, shadows, o.render, o.pixel->x, o.pixel->y));
     return 0;
   }
-  Picture picture = render_with_progress(o, scene, kernel);
+  Picture picture = render_with_progress(o, scene, shadows);
   add_metadata(report, picture);
   const DeferredSignals until_written;
   write_image(o.output, picture.image, o.exposure_ev);

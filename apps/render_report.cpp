@@ -29,7 +29,7 @@ std::string stats_json(const RenderReport& report, const Picture& picture) {
   const nlohmann::ordered_json json = {
       {"version", PENUMBRA_VERSION},
       {"scene", report.scene},
-      {"method", name_of(report.options.method)},
+      {"method", name_of(report.method)},
       {"shadow_samples", report.options.shadow_samples},
       {"size", {picture.image.width, picture.image.height}},
       {"spp", report.options.samples_per_pixel},
@@ -45,14 +45,15 @@ std::string stats_json(const RenderReport& report, const Picture& picture) {
         {"reflected", n.reflected},
         {"refracted", n.refracted},
         {"shadow", n.shadow.rays},
-        {"shadow_set", 0}}},
+        {"shadow_set", n.shadow.set_rays}}},
       {"shadow_queries",
        {{"lit", n.shadow.lit}, {"penumbra", n.shadow.penumbra}, {"umbra", n.shadow.umbra}}},
       {"tests_per_ray",
-       {{"geometry", ratio(n.closest_tests, n.primary + n.reflected + n.refracted)},
-        {"shadow", ratio(n.shadow.tests, n.shadow.rays)}}},
-      {"cache_decided", 0},
-      {"memory_bytes", {{"geometry", report.geometry_bytes}, {"shadow", 0}}},
+       {{"geometry", ratio(n.closest_tests + n.shadow.tests,
+                           n.primary + n.reflected + n.refracted + n.shadow.rays)},
+        {"shadow", ratio(n.shadow.set_tests, n.shadow.set_rays)}}},
+      {"cache_decided", n.shadow.cache_decided},
+      {"memory_bytes", {{"geometry", report.geometry_bytes}, {"shadow", report.shadow_bytes}}},
       {"peak_rss_bytes", peak_rss_bytes()}};
   return json.dump(2) + "\n";
 }
@@ -67,7 +68,7 @@ void add_metadata(const RenderReport& report, Picture& picture) {
       {"Software", "penumbra " PENUMBRA_VERSION},
       {"Command", command},
       {"Scene", without_folders(report.scene)},
-      {"Method", std::string(name_of(report.options.method))},
+      {"Method", std::string(name_of(report.method))},
       {"ShadowSamples", std::to_string(report.options.shadow_samples)},
       {"SamplesPerPixel", std::to_string(report.options.samples_per_pixel)},
       {"Seed", std::to_string(report.options.seed)},

@@ -15,8 +15,9 @@ struct RenderReport {
   std::string scene;                   ///< as given
   std::vector<std::string> arguments;  ///< the whole command line
   RenderOptions options;
+  Method method = Method::stochastic;
   double load_seconds = 0, build_seconds = 0;
-  std::size_t geometry_bytes = 0;
+  std::size_t geometry_bytes = 0, shadow_bytes = 0;
 };
 
 /// The `--stats` file: JSON, keys as docs/formats.md lists them.

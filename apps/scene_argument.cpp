@@ -36,11 +36,4 @@ Scene load_built_in_scene(const std::string& name) {
               "built-in are " + names);
 }
 
-KernelOptions kernel_options(const Scene& scene) {
-  KernelOptions options;
-  for (const Material& material : scene.materials)
-    options.casts_no_shadow.push_back(!material.casts_shadow);
-  return options;
-}
-
 }  // namespace penumbra

@@ -4,7 +4,6 @@
 
 #include <string>
 
-#include "penumbra/kernel/kernel.h"
 #include "penumbra/scene/scene.h"
 #include "penumbra/scene_io/read_scene.h"
 
@@ -19,8 +18,5 @@ Scene load_scene(const std::string& name, const ReadOptions& options);
 
 /// The built-in scene of that name; throws Error with the names there are.
 Scene load_built_in_scene(const std::string& name);
-
-/// Which of the scene's surfaces block no light.
-KernelOptions kernel_options(const Scene& scene);
 
 }  // namespace penumbra

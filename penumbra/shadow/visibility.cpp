@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/shadow/visibility.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+
+#include "penumbra/shadow/classify.h"
 
 namespace penumbra {
 
 void ShadowCounters::add(const ShadowCounters& other) {
   lit += other.lit, penumbra += other.penumbra, umbra += other.umbra;
-  rays += other.rays, tests += other.tests;
+  rays += other.rays, tests += other.tests, cache_decided += other.cache_decided;
+  set_rays += other.set_rays, set_tests += other.set_tests;
 }
 
 std::uint64_t light_key(std::uint64_t point_key, std::uint32_t light_index) {
@@ -65,8 +70,53 @@ Visibility sum_up(const VisibilityScratch& scratch) {
   return result;
 }
 
-bool any(const std::vector<std::uint32_t>& words) {
-  return std::any_of(words.begin(), words.end(), [](std::uint32_t word) { return word != 0; });
+std::uint64_t count_bits(const std::vector<std::uint32_t>& words) {
+  std::uint64_t bits = 0;
+  for (const std::uint32_t word : words) bits += static_cast<std::uint64_t>(std::popcount(word));
+  return bits;
+}
+
+/// Moves the rays that one record blocks from `remaining` to `blocked`; returns their number.
+std::uint64_t take_blocked(const Record& record, VisibilityScratch& scratch) {
+  occluded_by(record, scratch.samples, scratch.remaining, scratch.by_one);
+  for (std::size_t i = 0; i < scratch.remaining.size(); ++i) {
+    scratch.remaining[i] &= ~scratch.by_one[i];
+    scratch.blocked[i] |= scratch.by_one[i];
+  }
+  return count_bits(scratch.by_one);
+}
+
+/// Tries the cached occluders on all active rays.
+void ask_cache(const Kernel& kernel, OccluderQueue& queue, VisibilityScratch& scratch,
+               ShadowCounters& counters) {
+  for (const std::uint32_t record : std::array(queue.record)) {
+    if (record == no_record) continue;
+    const std::uint64_t rays = count_bits(scratch.remaining);
+    if (rays == 0) return;
+    counters.tests += rays;
+    const std::uint64_t decided = take_blocked(kernel.records()[record], scratch);
+    counters.cache_decided += decided;
+    if (decided > 0) queue.move_to_front(record);
+  }
+}
+
+/// Fills `blocked` for the active rays.
+void trace(const Kernel& kernel, OccluderQueue& queue, VisibilityScratch& scratch,
+           ShadowCounters& counters) {
+  scratch.remaining = scratch.active;
+  scratch.by_one.resize(scratch.active.size());
+  std::fill(scratch.blocked.begin(), scratch.blocked.end(), 0u);
+  ask_cache(kernel, queue, scratch, counters);
+  const std::uint64_t rays = count_bits(scratch.remaining);
+  if (rays == 0) return;
+  const OccludedReport report = kernel.occluded(scratch.samples, scratch.remaining, scratch.by_one);
+  counters.rays += rays;
+  counters.tests += report.tests;
+  for (std::size_t i = 0; i < scratch.blocked.size(); ++i) scratch.blocked[i] |= scratch.by_one[i];
+  if (report.blocker != no_record)
+    queue.move_to_front(report.blocker);
+  else if (count_bits(scratch.blocked) == 0)
+    queue.drop_last();
 }
 
 void count(ShadowClass shadow_class, ShadowCounters& counters) {
@@ -77,32 +127,61 @@ void count(ShadowClass shadow_class, ShadowCounters& counters) {
   }
 }
 
+/// Directions to the light's samples, and which lie above the horizon; returns their number.
+std::uint32_t take_samples(const ShadowScene& scene, std::uint32_t light, const Receiver& receiver,
+                           std::uint64_t key, VisibilityScratch& scratch) {
+  const LightShape& shape = scene.lights[light];
+  const SamplePattern& pattern =
+      std::holds_alternative<PointLight>(shape) ? scratch.center : scratch.pattern;
+  if (scene.method == Method::hard)
+    aim_at_center(shape, receiver.position, scratch.samples);
+  else
+    sample_light(shape, receiver.position, pattern, key, scratch.samples);
+  return weigh(receiver.normal, scratch);
+}
+
+/// All samples are sure to be above the horizon, in float too, however they will be rounded.
+bool is_surely_above(const LightHull& light, const Receiver& receiver) {
+  const double distance = length(light.center(receiver.position) - Vec3d(receiver.position));
+  const bool is_safe = distance > 1e-15 && distance < 1e15;  // squares stay in float's range
+  return is_safe && light.least_height(receiver.position, Vec3d(receiver.normal)) > 0;
+}
+
+ShadowClass class_by_samples(const VisibilityScratch& scratch, const Visibility& seen) {
+  if (seen.fraction == 0) return ShadowClass::umbra;
+  return count_bits(scratch.blocked) > 0 ? ShadowClass::penumbra : ShadowClass::lit;
+}
+
 }  // namespace
 
-Visibility visibility(const Kernel& kernel, const LightShape& light, const Receiver& receiver,
-                      Method method, std::uint64_t key, VisibilityScratch& scratch,
+Visibility visibility(const ShadowScene& scene, std::uint32_t light, const Receiver& receiver,
+                      std::uint64_t key, OccluderQueue& queue, VisibilityScratch& scratch,
                       ShadowCounters& counters) {
-  const bool is_point = std::holds_alternative<PointLight>(light);
-  switch (method) {
-    case Method::hard: aim_at_center(light, receiver.position, scratch.samples); break;
-    case Method::stochastic:
-      sample_light(light, receiver.position, is_point ? scratch.center : scratch.pattern, key,
-                   scratch.samples);
-      break;
-  }
-  const std::uint32_t above = weigh(receiver.normal, scratch);
   const bool is_doubtful = !is_finite(receiver.position) || !is_finite(receiver.normal) ||
-                           contains(light, receiver.position);
-  if (above == 0) return {0, 0, is_doubtful ? ShadowClass::penumbra : ShadowClass::umbra};
-  counters.rays += above;
-  counters.tests += kernel.occluded(scratch.samples, scratch.active, scratch.blocked);
-  Visibility result = sum_up(scratch);
-  if (is_doubtful)
-    result.shadow_class = ShadowClass::penumbra;
-  else if (result.fraction == 0)
-    result.shadow_class = ShadowClass::umbra;
-  else
-    result.shadow_class = any(scratch.blocked) ? ShadowClass::penumbra : ShadowClass::lit;
+                           contains(scene.lights[light], receiver.position);
+  const bool may_prove = has_shadow_set(scene.method) && !is_doubtful &&
+                         !std::holds_alternative<PointLight>(scene.lights[light]);
+  // Where nothing needs the samples they are not taken.
+  const bool is_above = may_prove && is_surely_above(scene.hulls[light], receiver);
+  if (!is_above && take_samples(scene, light, receiver, key, scratch) == 0)
+    return {0, 0, is_doubtful ? ShadowClass::penumbra : ShadowClass::umbra};
+
+  const ShadowClass proven = may_prove ? classify(scene, light, receiver.position, queue, counters)
+                                       : ShadowClass::penumbra;
+  Visibility result;
+  if (proven == ShadowClass::umbra) {
+    result = {0, 0, proven};
+  } else if (proven == ShadowClass::lit && is_above) {
+    result = {1, 1, proven};
+  } else {
+    if (is_above) take_samples(scene, light, receiver, key, scratch);
+    if (proven == ShadowClass::lit)
+      std::fill(scratch.blocked.begin(), scratch.blocked.end(), 0u);
+    else
+      trace(*scene.kernel, queue, scratch, counters);
+    result = sum_up(scratch);
+    result.shadow_class = may_prove || is_doubtful ? proven : class_by_samples(scratch, result);
+  }
   count(result.shadow_class, counters);
   return result;
 }

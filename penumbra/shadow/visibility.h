@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-// How much of a light a point sees: the judge (`stochastic`) and the hard shadow. Every later
-// method returns the same bits as `stochastic` in `cosine_weighted` and `fraction`.
+// How much of a light a point sees, by any method. `stochastic` is the judge: every other but
+// `hard` returns the same bits in `cosine_weighted` and `fraction`.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "penumbra/geometry/light_sampling.h"
-#include "penumbra/kernel/kernel.h"
+#include "penumbra/shadow/occluder_cache.h"
+#include "penumbra/shadow/shadow_scene.h"
 
 namespace penumbra {
-
-enum class Method { hard, stochastic };
 
 /// Class of (point, light). lit and umbra are proofs, except that `stochastic` and `hard` class by
 /// their samples: umbra when no sample is free, lit when no ray is blocked.
@@ -20,8 +19,11 @@ enum class ShadowClass : std::uint8_t { lit = 0, penumbra = 1, umbra = 2 };
 /// Exact integers. A query is a (point, light) with at least one sample above the point's horizon.
 struct ShadowCounters {
   std::uint64_t lit = 0, penumbra = 0, umbra = 0;  ///< queries by class
-  std::uint64_t rays = 0;                          ///< sample rays traced in the geometry set
-  std::uint64_t tests = 0;                         ///< primitives tested by them
+  std::uint64_t rays = 0;   ///< sample rays traced in the geometry set, after the occluder cache
+  std::uint64_t tests = 0;  ///< primitives tested by them
+  std::uint64_t cache_decided = 0;  ///< sample rays that the occluder cache decided
+  std::uint64_t set_rays = 0;       ///< rays traced in the shadow set
+  std::uint64_t set_tests = 0;      ///< grown occluders tested by them
   void add(const ShadowCounters& other);
 };
 
@@ -46,15 +48,16 @@ struct VisibilityScratch {
   SamplePattern center;  // of one sample
   LightSamples samples;
   std::vector<float> weight;
-  std::vector<std::uint32_t> active, blocked;
+  std::vector<std::uint32_t> active, remaining, blocked, by_one;
 };
 
-/// The visible part of one light from one receiver. Samples are taken in order, and a blocked one
-/// is a sample whose open segment from p' meets a shadow-casting primitive. Point lights, whose
-/// samples are all equal, cost one ray. p' in the light, and NaN anywhere: the samples decide, and
-/// the class is penumbra. Adds to `counters`.
-Visibility visibility(const Kernel& kernel, const LightShape& light, const Receiver& receiver,
-                      Method method, std::uint64_t key, VisibilityScratch& scratch,
+/// The visible part of one light (an index into the scene's) from one receiver. Samples are taken
+/// in order, and a blocked one is a sample whose open segment from p' meets a shadow-casting
+/// primitive. Point lights, whose samples are all equal, cost one ray. p' in the light, and NaN
+/// anywhere: the samples decide, and the class is penumbra. `queue` holds what blocked this light
+/// last; it changes counters alone. Adds to `counters`.
+Visibility visibility(const ShadowScene& scene, std::uint32_t light, const Receiver& receiver,
+                      std::uint64_t key, OccluderQueue& queue, VisibilityScratch& scratch,
                       ShadowCounters& counters);
 
 /// Key of a light's random numbers at a point: `point_key` identifies the point (pixel, sample in

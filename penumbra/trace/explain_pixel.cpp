@@ -62,16 +62,16 @@ std::string describe(const RayNode& node) {
 
 }  // namespace
 
-std::string explain_pixel(const Scene& scene, const Kernel& kernel, const RenderOptions& options,
-                          std::uint32_t x, std::uint32_t y) {
-  TraceScratch scratch(options.shadow_samples);
+std::string explain_pixel(const Scene& scene, const ShadowScene& shadows,
+                          const RenderOptions& options, std::uint32_t x, std::uint32_t y) {
+  TraceScratch scratch(options.shadow_samples, scene.lights.size());
   std::vector<CameraRay> rays;
   CameraRays(*scene.camera, options).of_pixel(x, y, rays);
   std::string out = fmt::format("pixel {},{}\n", x, y);
   Vec3d sum;
   for (std::size_t s = 0; s < rays.size(); ++s) {
     std::vector<RayNode> nodes;
-    const TraceContext context{scene, kernel, options.method, options.depth};
+    const TraceContext context{scene, shadows, options.depth};
     const Color color =
         trace(context, rays[s].origin, rays[s].direction, rays[s].key, scratch, &nodes);
     sum += Vec3d(color);

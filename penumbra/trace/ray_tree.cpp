@@ -25,7 +25,7 @@ class Tree {
 
   Color follow(const Branch& branch) {
     const Ray ray{Vec3f(branch.origin), Vec3f(branch.direction)};
-    const Kernel::ClosestResult found = context_.kernel.closest(ray);
+    const Kernel::ClosestResult found = context_.shadows.kernel->closest(ray);
     scratch_.counters.closest_tests += found.tests;
     if (nodes_) nodes_->push_back({branch.path, found.hit, {}, {}, {}});
     const std::size_t node = nodes_ ? nodes_->size() - 1 : 0;
@@ -47,8 +47,8 @@ class Tree {
     for (std::uint32_t i = 0; i < context_.scene.lights.size(); ++i) {
       const Light& light = context_.scene.lights[i];
       const Visibility seen =
-          visibility(context_.kernel, light.shape, {point.receiver, point.normal}, context_.method,
-                     light_key(key, i), scratch_.visibility, scratch_.counters.shadow);
+          visibility(context_.shadows, i, {point.receiver, point.normal}, light_key(key, i),
+                     scratch_.cache.queue(path, i), scratch_.visibility, scratch_.counters.shadow);
       const Color u = seen.cosine_weighted > 0 || nodes_ ? unshadowed(light, point) : Color{};
       sum += u * seen.cosine_weighted;
       if (!nodes_) continue;

@@ -17,15 +17,16 @@ namespace penumbra {
 /// What all rays of a picture share.
 struct TraceContext {
   const Scene& scene;
-  const Kernel& kernel;
-  Method method;
+  const ShadowScene& shadows;
   std::uint32_t depth;
 };
 
-/// What one thread owns while it works on a tile.
+/// What one thread owns while it works on a block of pixels.
 struct TraceScratch {
-  explicit TraceScratch(std::uint32_t shadow_samples) : visibility(shadow_samples) {}
+  TraceScratch(std::uint32_t shadow_samples, std::size_t lights)
+      : visibility(shadow_samples), cache(lights) {}
   VisibilityScratch visibility;
+  OccluderCache cache;
   RenderCounters counters;
   double shadow_seconds = 0;
 };

@@ -44,16 +44,30 @@ class Totals {
   std::function<void(double)> progress_;
 };
 
-struct Tile {
+/// Pixels of a part of the picture.
+struct Area {
   std::uint32_t x_begin, x_end, y_begin, y_end;
+  std::uint64_t pixels() const { return std::uint64_t(x_end - x_begin) * (y_end - y_begin); }
 };
 
-Tile tile_of(const RenderOptions& options, std::uint32_t index) {
-  const std::uint32_t across = (options.width + options.tile - 1) / options.tile;
-  const std::uint32_t x = index % across * options.tile, y = index / across * options.tile;
-  return {x, std::min(x + options.tile, options.width), y,
-          std::min(y + options.tile, options.height)};
-}
+/// An area cut into squares, row by row.
+class Squares {
+ public:
+  Squares(Area area, std::uint32_t edge)
+      : area_(area), edge_(edge), across_((area.x_end - area.x_begin + edge - 1) / edge) {}
+  std::uint32_t count() const {
+    return across_ * ((area_.y_end - area_.y_begin + edge_ - 1) / edge_);
+  }
+  Area operator[](std::uint32_t index) const {
+    const std::uint32_t x = area_.x_begin + index % across_ * edge_;
+    const std::uint32_t y = area_.y_begin + index / across_ * edge_;
+    return {x, std::min(x + edge_, area_.x_end), y, std::min(y + edge_, area_.y_end)};
+  }
+
+ private:
+  Area area_;
+  std::uint32_t edge_, across_;
+};
 
 PixelResult render_pixel(const TraceContext& context, const std::vector<CameraRay>& rays,
                          bool wants_nodes, TraceScratch& scratch) {
@@ -72,23 +86,23 @@ PixelResult render_pixel(const TraceContext& context, const std::vector<CameraRa
   return result;
 }
 
-void render_tile(const TraceContext& context, const RenderOptions& options,
-                 const CameraRays& camera, Tile tile, Image& image, Totals& totals) {
-  TraceScratch scratch(options.shadow_samples);
+void render_block(const TraceContext& context, const RenderOptions& options,
+                  const CameraRays& camera, Area block, Image& image, Totals& totals) {
+  TraceScratch scratch(options.shadow_samples, context.scene.lights.size());
   std::vector<CameraRay> rays;
   const bool wants_nodes = !options.aovs.empty();
-  for (std::uint32_t y = tile.y_begin; y < tile.y_end; ++y)
-    for (std::uint32_t x = tile.x_begin; x < tile.x_end; ++x) {
+  for (std::uint32_t y = block.y_begin; y < block.y_end; ++y)
+    for (std::uint32_t x = block.x_begin; x < block.x_end; ++x) {
       camera.of_pixel(x, y, rays);
       const PixelResult result = render_pixel(context, rays, wants_nodes, scratch);
       store(result, options.aovs, context.scene, std::size_t(y) * options.width + x, image);
     }
-  totals.add(scratch, std::uint64_t(tile.x_end - tile.x_begin) * (tile.y_end - tile.y_begin));
+  totals.add(scratch, block.pixels());
 }
 
 }  // namespace
 
-Picture render(const Scene& scene, const Kernel& kernel, const RenderOptions& options) {
+Picture render(const Scene& scene, const ShadowScene& shadows, const RenderOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   Picture picture;
   picture.image = make_layers(options.width, options.height, options.aovs, scene.lights.size());
@@ -96,19 +110,22 @@ Picture render(const Scene& scene, const Kernel& kernel, const RenderOptions& op
                         ? options.threads
                         : static_cast<std::uint32_t>(tbb::this_task_arena::max_concurrency());
   const CameraRays camera(*scene.camera, options);
-  const TraceContext context{scene, kernel, options.method, options.depth};
+  const TraceContext context{scene, shadows, options.depth};
   Totals totals(std::uint64_t(options.width) * options.height, options.progress);
-  const std::uint32_t tiles = ((options.width + options.tile - 1) / options.tile) *
-                              ((options.height + options.tile - 1) / options.tile);
+  const std::uint32_t edge = (options.tile + block_edge - 1) / block_edge * block_edge;
+  const Squares tiles({0, options.width, 0, options.height}, edge);
   // More threads than cores must be possible: results are promised for any number.
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, picture.threads);
   tbb::task_arena arena(static_cast<int>(picture.threads));
   arena.execute([&] {
     tbb::parallel_for(
-        tbb::blocked_range<std::uint32_t>(0, tiles, 1),
+        tbb::blocked_range<std::uint32_t>(0, tiles.count(), 1),
         [&](const tbb::blocked_range<std::uint32_t>& range) {
-          for (std::uint32_t i = range.begin(); i < range.end(); ++i)
-            render_tile(context, options, camera, tile_of(options, i), picture.image, totals);
+          for (std::uint32_t i = range.begin(); i < range.end(); ++i) {
+            const Squares blocks(tiles[i], block_edge);
+            for (std::uint32_t k = 0; k < blocks.count(); ++k)
+              render_block(context, options, camera, blocks[k], picture.image, totals);
+          }
         },
         tbb::simple_partitioner());
   });

@@ -20,18 +20,23 @@ namespace penumbra {
 enum class Aov { light_class, visibility, depth, normal, samples };
 
 struct RenderOptions {
-  Method method = Method::stochastic;
   std::uint32_t shadow_samples = 32;  ///< d, >= 1
   std::uint32_t width = 512, height = 512;
   std::uint32_t samples_per_pixel = 1;
   std::uint32_t depth = 5;  ///< longest path of the ray tree, the camera ray being 1
   std::uint64_t seed = 0;
-  std::uint32_t tile = 16;  ///< edge of the square tiles threads take, in pixels; changes no result
+  /// Edge of the square tiles threads take, in pixels, rounded up to whole blocks of `block_edge`;
+  /// changes no result.
+  std::uint32_t tile = 16;
   std::uint32_t threads = 0;  ///< 0: all
   std::vector<Aov> aovs;
   /// Called with the finished share in [0, 1], from any thread, one call at a time.
   std::function<void(double)> progress;
 };
+
+/// The occluder cache lives in one block of this edge, so that counters depend on no tile or
+/// thread.
+inline constexpr std::uint32_t block_edge = 16;
 
 /// Exact integers, equal for any number of threads and any tile size.
 struct RenderCounters {
@@ -54,14 +59,15 @@ struct Picture {
   std::uint32_t threads = 1;
 };
 
-/// The scene must be complete (`complete_scene`) and the kernel built from its shapes.
+/// The scene must be complete (`complete_scene`), and `shadows` prepared for it: they say by which
+/// method.
 /// Same scene, seed and options give the same bits for any `threads` and `tile`. Does not throw;
 /// memory is allocated by tile and pixel, not by ray.
-Picture render(const Scene& scene, const Kernel& kernel, const RenderOptions& options);
+Picture render(const Scene& scene, const ShadowScene& shadows, const RenderOptions& options);
 
 /// Everything about one pixel as text for people: each path of the ray tree, hit, normal, each
 /// light's class, visible fraction and samples.
-std::string explain_pixel(const Scene& scene, const Kernel& kernel, const RenderOptions& options,
-                          std::uint32_t x, std::uint32_t y);
+std::string explain_pixel(const Scene& scene, const ShadowScene& shadows,
+                          const RenderOptions& options, std::uint32_t x, std::uint32_t y);
 
 }  // namespace penumbra

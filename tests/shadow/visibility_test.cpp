@@ -11,6 +11,26 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
+/// Shapes and one light, ready to be asked by one method.
+struct Lit {
+  Kernel kernel;
+  ShadowScene scene;
+  VisibilityScratch scratch;
+  OccluderQueue queue;
+  ShadowCounters counters;
+
+  Lit(const ShapeSet& shapes, const LightShape& light, std::uint32_t d,
+      Method method = Method::stochastic, KernelKind kind = KernelKind::wide)
+      : kernel(shapes, {kind, {}}),
+        scene(prepare_shadows(kernel, shapes, {kind, {}}, {&light, 1}, method)),
+        scratch(d) {}
+  Lit(const Lit&) = delete;
+
+  Visibility see(const Receiver& receiver, std::uint64_t key = 1) {
+    return visibility(scene, 0, receiver, key, queue, scratch, counters);
+  }
+};
+
 /// Mean of the plain fraction over many keys, with its standard error.
 struct Estimate {
   double mean = 0, error = 0;
@@ -18,14 +38,10 @@ struct Estimate {
 
 Estimate estimate(const ShapeSet& shapes, const LightShape& light, const Receiver& receiver,
                   std::uint32_t d, int keys) {
-  const Kernel kernel(shapes, {});
-  VisibilityScratch scratch(d);
-  ShadowCounters counters;
+  Lit lit(shapes, light, d);
   double sum = 0, squares = 0;
   for (int k = 0; k < keys; ++k) {
-    const double f = visibility(kernel, light, receiver, Method::stochastic,
-                                light_key(static_cast<std::uint64_t>(k), 0), scratch, counters)
-                         .fraction;
+    const double f = lit.see(receiver, light_key(static_cast<std::uint64_t>(k), 0)).fraction;
     sum += f, squares += f * f;
   }
   const double mean = sum / keys;
@@ -107,10 +123,12 @@ TEST(Visibility, HalfPlaneOverAParallelogramLight) {
 
 TEST(Visibility, ClassesByTheSamplesAndCountsWhatItTraced) {
   const BallLight light{{0, 0, 4}, 1};
-  VisibilityScratch scratch(32);
   ShadowCounters counters;
   const auto see = [&](const ShapeSet& shapes) {
-    return visibility(Kernel(shapes, {}), light, up, Method::stochastic, 5, scratch, counters);
+    Lit lit(shapes, light, 32);
+    const Visibility seen = lit.see(up);
+    counters.add(lit.counters);
+    return seen;
   };
   ShapeSet far_ball, cover;
   far_ball.spheres.push_back({{50, 0, 0}, 1, 0});
@@ -129,11 +147,12 @@ TEST(Visibility, ClassesByTheSamplesAndCountsWhatItTraced) {
 TEST(Visibility, SamplesBelowTheHorizonWeighNothingAndFireNoRay) {
   ShapeSet shapes;
   shapes.spheres.push_back({{0, 0, -50}, 1, 0});
-  const Kernel kernel(shapes, {});
-  VisibilityScratch scratch(64);
   ShadowCounters counters;
   const auto see = [&](Vec3f center) {
-    return visibility(kernel, BallLight{center, 1}, up, Method::stochastic, 1, scratch, counters);
+    Lit lit(shapes, BallLight{center, 1}, 64);
+    const Visibility seen = lit.see(up);
+    counters.add(lit.counters);
+    return seen;
   };
   EXPECT_EQ(see({0, 0, -4}).fraction, 0);
   EXPECT_EQ(counters.rays, 0u);
@@ -147,10 +166,7 @@ TEST(Visibility, SamplesBelowTheHorizonWeighNothingAndFireNoRay) {
 TEST(Visibility, InsideALightTheSamplesDecideAndTheClassIsPenumbra) {
   ShapeSet shapes;
   shapes.spheres.push_back({{50, 0, 0}, 1, 0});
-  VisibilityScratch scratch(64);
-  ShadowCounters counters;
-  const Visibility seen = visibility(Kernel(shapes, {}), BallLight{{0, 0, 0.2f}, 1}, up,
-                                     Method::stochastic, 1, scratch, counters);
+  const Visibility seen = Lit(shapes, BallLight{{0, 0, 0.2f}, 1}, 64).see(up);
   EXPECT_EQ(seen.shadow_class, ShadowClass::penumbra);
   EXPECT_EQ(seen.cosine_weighted, 1);
   EXPECT_NEAR(seen.fraction, 0.5, 0.1);  // half of all directions are above the horizon
@@ -158,26 +174,33 @@ TEST(Visibility, InsideALightTheSamplesDecideAndTheClassIsPenumbra) {
 
 TEST(Visibility, NotANumberProvesNothing) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  VisibilityScratch scratch(32);
-  ShadowCounters counters;
   const Visibility seen =
-      visibility(Kernel(half_plane(0), {}), BallLight{{0, 0, 4}, 1}, {{nan, 0, 0}, {0, 0, 1}},
-                 Method::stochastic, 1, scratch, counters);
+      Lit(half_plane(0), BallLight{{0, 0, 4}, 1}, 32).see({{nan, 0, 0}, {0, 0, 1}});
   EXPECT_EQ(seen.shadow_class, ShadowClass::penumbra);
 }
 
 TEST(Visibility, HardTracesOneRayToTheCentre) {
-  VisibilityScratch scratch(32);
-  ShadowCounters counters;
   const BallLight light{{0, 0, 4}, 1};
-  EXPECT_EQ(visibility(Kernel(half_plane(0.01f), {}), light, up, Method::hard, 1, scratch, counters)
-                .cosine_weighted,
-            1);
-  EXPECT_EQ(
-      visibility(Kernel(half_plane(-0.01f), {}), light, up, Method::hard, 1, scratch, counters)
-          .cosine_weighted,
-      0);
-  EXPECT_EQ(counters.rays, 2u);
+  Lit free(half_plane(0.01f), light, 32, Method::hard);
+  Lit hidden(half_plane(-0.01f), light, 32, Method::hard);
+  EXPECT_EQ(free.see(up).cosine_weighted, 1);
+  EXPECT_EQ(hidden.see(up).cosine_weighted, 0);
+  EXPECT_EQ(free.counters.rays + hidden.counters.rays, 2u);
+}
+
+TEST(Visibility, TheCacheDecidesWhatItsOccludersBlockAndIsEmptiedByMisses) {
+  ShapeSet shapes;
+  shapes.spheres.push_back({{0, 0, 2}, 1.5f, 0});
+  Lit lit(shapes, BallLight{{0, 0, 4}, 1}, 32);
+  lit.see(up);
+  EXPECT_EQ(lit.counters.rays, 32u);
+  lit.see(up);
+  EXPECT_EQ(lit.counters.rays, 32u);
+  EXPECT_EQ(lit.counters.cache_decided, 32u);
+  const Receiver aside{{50, 0, 0}, {0, 0, 1}};
+  lit.see(aside);
+  EXPECT_EQ(lit.counters.rays, 64u);
+  EXPECT_EQ(lit.queue.record[0], no_record);
 }
 
 TEST(Visibility, ALightInsideAnOccluderIsHidden) {
@@ -188,20 +211,15 @@ TEST(Visibility, ALightInsideAnOccluderIsHidden) {
 
 TEST(Visibility, BruteForceGivesTheSameBits) {
   const BallLight light{{0, 0, 4}, 1};
-  VisibilityScratch scratch(48);
-  ShadowCounters counters;
   ShapeSet shapes = half_plane(0.1f);
   shapes.spheres.push_back({{-0.3f, 0.1f, 2}, 0.3f, 0});
   shapes.cones.push_back({{-1, -1, 1.5f}, {1, -0.2f, 1.8f}, 0.1f, 0.05f, Caps::capped, 0});
-  const Kernel wide(shapes, {}), brute(shapes, {KernelKind::brute, {}});
+  Lit wide(shapes, light, 48), brute(shapes, light, 48, Method::stochastic, KernelKind::brute);
   for (std::uint64_t key = 0; key < 2'000; ++key) {
     const Receiver receiver{
         {static_cast<float>(key % 40) * 0.05f - 1, static_cast<float>(key / 40) * 0.04f - 1, 0},
         {0, 0, 1}};
-    const Visibility a =
-        visibility(wide, light, receiver, Method::stochastic, key, scratch, counters);
-    const Visibility b =
-        visibility(brute, light, receiver, Method::stochastic, key, scratch, counters);
+    const Visibility a = wide.see(receiver, key), b = brute.see(receiver, key);
     ASSERT_EQ(a.cosine_weighted, b.cosine_weighted);
     ASSERT_EQ(a.fraction, b.fraction);
     ASSERT_EQ(a.shadow_class, b.shadow_class);

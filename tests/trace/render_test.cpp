@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/trace/render.h"
 
+#include "penumbra/trace/prepare.h"
+
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -31,11 +33,22 @@ bool same_bits(const Image& a, const Image& b) {
   return true;
 }
 
+/// The whole way from a scene to its picture.
+Picture picture_of(const Scene& scene, const RenderOptions& options,
+                   Method method = Method::stochastic, KernelKind kind = KernelKind::wide) {
+  KernelOptions of_kernel = kernel_options(scene);
+  of_kernel.kind = kind;
+  const Kernel kernel(scene.shapes, of_kernel);
+  return render(scene, prepare_shadows(scene, kernel, method), options);
+}
+
 bool same_counts(const RenderCounters& a, const RenderCounters& b) {
   return a.primary == b.primary && a.reflected == b.reflected && a.refracted == b.refracted &&
          a.closest_tests == b.closest_tests && a.shadow.lit == b.shadow.lit &&
          a.shadow.penumbra == b.shadow.penumbra && a.shadow.umbra == b.shadow.umbra &&
-         a.shadow.rays == b.shadow.rays && a.shadow.tests == b.shadow.tests;
+         a.shadow.rays == b.shadow.rays && a.shadow.tests == b.shadow.tests &&
+         a.shadow.cache_decided == b.shadow.cache_decided &&
+         a.shadow.set_rays == b.shadow.set_rays && a.shadow.set_tests == b.shadow.set_tests;
 }
 
 class RenderGallery : public testing::TestWithParam<const char*> {};
@@ -46,12 +59,13 @@ TEST_P(RenderGallery, IsTheSameForAnyNumberOfThreadsAndAnyTile) {
   options.samples_per_pixel = 2;
   options.aovs = {Aov::light_class, Aov::visibility, Aov::depth, Aov::normal, Aov::samples};
   options.threads = 1;
-  const Kernel kernel(scene.shapes, {});
-  const Picture one = render(scene, kernel, options);
+  const Kernel kernel(scene.shapes, kernel_options(scene));
+  const ShadowScene shadows = prepare_shadows(scene, kernel, Method::umbra);
+  const Picture one = render(scene, shadows, options);
   for (std::uint32_t threads : {2u, 7u})
     for (std::uint32_t tile : {1u, 5u, 100u}) {
       options.threads = threads, options.tile = tile;
-      const Picture other = render(scene, kernel, options);
+      const Picture other = render(scene, shadows, options);
       EXPECT_TRUE(same_bits(one.image, other.image)) << threads << " threads, tile " << tile;
       EXPECT_TRUE(same_counts(one.counters, other.counters));
     }
@@ -61,10 +75,11 @@ TEST_P(RenderGallery, BruteForceDrawsTheSameBits) {
   const Scene scene = gallery(GetParam());
   const bool is_large = primitive_count(scene.shapes) > 50'000;
   const RenderOptions options = small(is_large ? 8 : 24);
-  const Picture wide = render(scene, Kernel(scene.shapes, {}), options);
-  const Picture brute = render(scene, Kernel(scene.shapes, {KernelKind::brute, {}}), options);
+  const Picture wide = picture_of(scene, options);
+  const Picture brute = picture_of(scene, options, Method::stochastic, KernelKind::brute);
   EXPECT_TRUE(same_bits(wide.image, brute.image));
-  EXPECT_EQ(wide.counters.shadow.rays, brute.counters.shadow.rays);
+  const ShadowCounters &a = wide.counters.shadow, &b = brute.counters.shadow;
+  EXPECT_EQ(a.rays + a.cache_decided, b.rays + b.cache_decided);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, RenderGallery,
@@ -86,7 +101,7 @@ struct OnePixel {
     options.width = options.height = 1;
   }
   Color color() const {
-    const Picture picture = render(scene, Kernel(scene.shapes, {}), options);
+    const Picture picture = picture_of(scene, options);
     return {picture.image.channels[0].values[0], picture.image.channels[1].values[0],
             picture.image.channels[2].values[0]};
   }
@@ -152,9 +167,7 @@ TEST(OnePixel, GlassOfIndexOneIsNotSeen) {
 TEST(Render, ReflectedRaysOfTheSpdScenesAreWhatGeometryFixes) {
   const auto reflected = [](const char* name) {
     const Scene scene = gallery(name);
-    RenderOptions options = small(128);
-    options.method = Method::hard;
-    return static_cast<double>(render(scene, Kernel(scene.shapes, {}), options).counters.reflected);
+    return static_cast<double>(picture_of(scene, small(128), Method::hard).counters.reflected);
   };
   EXPECT_NEAR(reflected("balls:4"), 10856, 4);
   EXPECT_NEAR(reflected("rings"), 3098, 4);
@@ -163,21 +176,17 @@ TEST(Render, ReflectedRaysOfTheSpdScenesAreWhatGeometryFixes) {
 TEST(Render, HardEqualsStochasticWhereTheLightIsAPoint) {
   Scene scene = gallery("rings");
   for (Light& light : scene.lights) light.shape = PointLight{*center(light.shape)};
-  RenderOptions options = small();
-  const Kernel kernel(scene.shapes, {});
-  const Picture soft = render(scene, kernel, options);
-  options.method = Method::hard;
-  EXPECT_TRUE(same_bits(soft.image, render(scene, kernel, options).image));
+  const Picture soft = picture_of(scene, small());
+  EXPECT_TRUE(same_bits(soft.image, picture_of(scene, small(), Method::hard).image));
 }
 
 TEST(Render, SeedChangesOnlyPenumbra) {
   const Scene scene = gallery("cylinders");
   RenderOptions options = small();
   options.aovs = {Aov::light_class};
-  const Kernel kernel(scene.shapes, {});
-  const Picture a = render(scene, kernel, options);
+  const Picture a = picture_of(scene, options);
   options.seed = 1;
-  const Picture b = render(scene, kernel, options);
+  const Picture b = picture_of(scene, options);
   std::size_t different = 0;
   for (std::size_t i = 0; i < a.image.channels[0].values.size(); ++i) {
     bool is_sure = true;  // both seeds say lit, or both say umbra, of each light
@@ -198,14 +207,16 @@ TEST(Render, ProgressGrowsToOne) {
   double last = 0;
   bool grows = true;
   options.progress = [&](double share) { grows = grows && share > last, last = share; };
-  render(scene, Kernel(scene.shapes, {}), options);
+  picture_of(scene, options);
   EXPECT_TRUE(grows);
   EXPECT_EQ(last, 1);
 }
 
 TEST(ExplainPixel, NamesShapeClassAndColour) {
   const Scene scene = gallery("rings");
-  const std::string text = explain_pixel(scene, Kernel(scene.shapes, {}), small(), 50, 32);
+  const Kernel kernel(scene.shapes, {});
+  const std::string text =
+      explain_pixel(scene, prepare_shadows(scene, kernel, Method::stochastic), small(), 50, 32);
   for (const char* word : {"camera ray", "normal", "light 0", "colour", "shadow rays"})
     EXPECT_NE(text.find(word), std::string::npos) << word << " in\n" << text;
 }

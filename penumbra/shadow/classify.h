@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// The class of (point, light) by the paper's methods (c) to (e).
+#pragma once
+
+#include "penumbra/shadow/occluder_cache.h"
+#include "penumbra/shadow/shadow_scene.h"
+#include "penumbra/shadow/visibility.h"
+
+namespace penumbra {
+
+/// lit: the shadow set has no candidate. umbra: one occluder, or an inner volume, hides the whole
+/// light. Both are proven for every sample above or below p's horizon; all else is penumbra. For
+/// methods that have a shadow set. The volume of the last proof is kept in `queue`.
+ShadowClass classify(const ShadowScene& scene, std::uint32_t light, Vec3f p, OccluderQueue& queue,
+                     ShadowCounters& counters);
+
+}  // namespace penumbra

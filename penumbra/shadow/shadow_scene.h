@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// What a method prepares of a scene before the first question.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "penumbra/geometry/light_shape.h"
+#include "penumbra/kernel/kernel.h"
+#include "penumbra/shadow/light_hull.h"
+#include "penumbra/shadow/shadow_set.h"
+
+namespace penumbra {
+
+/// The paper's methods (a) to (e):
+/// hard: one ray to the light's centre;
+/// stochastic: d rays for every point and light, the judge of all others;
+/// offset: rays only where the shadow set says so;
+/// reduced: the same with offsets reduced by t_max;
+/// umbra: reduced, plus inner offsets, for solids, flat shapes and meshes.
+/// All but hard give the same visibility, bit for bit.
+enum class Method { hard, stochastic, offset, reduced, umbra };
+
+/// True for methods that prove lit points by a shadow set.
+constexpr bool has_shadow_set(Method method) {
+  return method == Method::offset || method == Method::reduced || method == Method::umbra;
+}
+
+/// Refers to the kernel, which must live as long.
+struct ShadowScene {
+  const Kernel* kernel = nullptr;
+  Method method = Method::stochastic;
+  std::vector<LightShape> lights;
+  std::vector<LightHull> hulls;  ///< of the lights
+  Box receivers;                 ///< holds p' of every surface; nothing is proven of other points
+  ShadowSet set;                 ///< empty unless the method has one
+
+  /// Of what is prepared here beside the kernel: Table 3's shadow set.
+  std::size_t memory_bytes() const { return set.memory_bytes(); }
+};
+
+/// `shapes` and `options` are those that the kernel was built from. Cost: O(n log n).
+ShadowScene prepare_shadows(const Kernel& kernel, const ShapeSet& shapes,
+                            const KernelOptions& options, std::span<const LightShape> lights,
+                            Method method);
+
+}  // namespace penumbra

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The shadow set (paper, section 3): the scene's occluders grown by what its lights require, in a
+// hierarchy of its own, with the lights shrunk to their centres. It holds no shapes: a grown
+// occluder is a record of the geometry set and how far its offset reaches; the offset itself is
+// formed by the test, for the light that is asked for.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "penumbra/kernel/traverse.h"
+#include "penumbra/shadow/light_hull.h"
+
+namespace penumbra {
+
+/// full: by the whole light (paper, method c). reduced: by t_max (method d).
+enum class Offsets { full, reduced };
+
+struct GrownOccluder {
+  std::uint32_t record = 0;
+  float t = 1;  ///< the largest t_max over the lights
+};
+
+struct ShadowSet {
+  std::vector<WideNode> nodes;
+  std::vector<GrownOccluder> occluders;  ///< in leaf order
+  std::size_t memory_bytes() const {
+    return nodes.capacity() * sizeof(WideNode) + occluders.capacity() * sizeof(GrownOccluder);
+  }
+};
+
+/// One set for all lights, each occluder grown by the maximum over them. `receivers` holds every
+/// point that will be asked about. Records that cast no shadow are left out. Cost: O(n log n).
+ShadowSet build_shadow_set(std::span<const Record> records, std::span<const LightHull> lights,
+                           Offsets offsets, const Box& receivers);
+
+/// Calls candidate(record) for the occluders whose outer offset the segment from p to the light's
+/// centre may meet, until it returns true: the records that may block a sample. Returns the number
+/// of occluders tested. `Candidate` is bool(std::uint32_t).
+using VisitCandidate = bool (*)(void* context, std::uint32_t record);
+std::uint64_t visit_candidates(const ShadowSet& set, std::span<const Record> records,
+                               const LightHull& light, Vec3f p, VisitCandidate candidate,
+                               void* context);
+
+template <class Candidate>
+std::uint64_t visit_candidates(const ShadowSet& set, std::span<const Record> records,
+                               const LightHull& light, Vec3f p, Candidate candidate) {
+  const auto call = [](void* context, std::uint32_t record) -> bool {
+    return (*static_cast<Candidate*>(context))(record);
+  };
+  return visit_candidates(set, records, light, p, call, &candidate);
+}
+
+}  // namespace penumbra
