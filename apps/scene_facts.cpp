@@ -50,6 +50,12 @@ Json json(Vec3<Number> v) {
   return {v.x, v.y, v.z};
 }
 
+Json json(const std::vector<Vec3f>& points) {
+  Json list = Json::array();
+  for (const Vec3f point : points) list.push_back(json(point));
+  return list;
+}
+
 double full_angle_deg(const SunLight& sun) {
   return 2.0 * sun.half_angle_rad * 180 / std::numbers::pi;
 }
@@ -62,6 +68,20 @@ struct LightText {
   std::string operator()(const ParallelogramLight& l) const {
     return fmt::format("parallelogram at {}, half edges {} and {}", text(l.center), text(l.u),
                        text(l.v));
+  }
+  std::string operator()(const DiskLight& l) const {
+    return fmt::format("disk at {}, normal {}, radius {:g}", text(l.center), text(l.normal),
+                       l.radius);
+  }
+  std::string operator()(const LineLight& l) const {
+    return fmt::format("line from {} to {}", text(l.center - l.half), text(l.center + l.half));
+  }
+  std::string operator()(const PolygonLight& l) const {
+    return fmt::format("polygon at {}, {} corners", text(l.center), l.corners.size());
+  }
+  std::string operator()(const MeshLight& l) const {
+    return fmt::format("convex mesh at {}, {} corners, {} triangles", text(l.center),
+                       l.corners.size(), l.triangles.size());
   }
   std::string operator()(const SunLight& l) const {
     return fmt::format("sun towards {}, {:.3g} degrees wide", text(l.direction), full_angle_deg(l));
@@ -78,6 +98,24 @@ struct LightJson {
   Json operator()(const ParallelogramLight& l) const {
     return {
         {"shape", "parallelogram"}, {"center", json(l.center)}, {"u", json(l.u)}, {"v", json(l.v)}};
+  }
+  Json operator()(const DiskLight& l) const {
+    return {{"shape", "disk"},
+            {"center", json(l.center)},
+            {"normal", json(l.normal)},
+            {"radius", l.radius}};
+  }
+  Json operator()(const LineLight& l) const {
+    return {{"shape", "line"}, {"from", json(l.center - l.half)}, {"to", json(l.center + l.half)}};
+  }
+  Json operator()(const PolygonLight& l) const {
+    return {{"shape", "polygon"}, {"center", json(l.center)}, {"corners", json(l.corners)}};
+  }
+  Json operator()(const MeshLight& l) const {
+    return {{"shape", "mesh"},
+            {"center", json(l.center)},
+            {"corners", json(l.corners)},
+            {"triangles", l.triangles}};
   }
   Json operator()(const SunLight& l) const {
     return {{"shape", "sun"},

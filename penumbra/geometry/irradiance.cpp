@@ -37,7 +37,8 @@ double cone_irradiance(double elevation, double sine, double cosine) {
   return (segment + x + atan_minus_self(x) / (sine * sine)) * std::numbers::inv_pi;
 }
 
-double seen_by(const PointLight& light, Vec3f p, Vec3d n) {
+/// As if all light came from the centre.
+double seen_by(const auto& light, Vec3f p, Vec3d n) {
   return std::max(0.0, dot(n, normalize(Vec3d(light.center) - Vec3d(p))));
 }
 
@@ -96,7 +97,7 @@ double seen_by(const ParallelogramLight& light, Vec3f p, Vec3d n) {
   return std::min(1.0, 0.5 * std::abs(dot(n, sum)) / angle);
 }
 
-double factor_of(const PointLight& light, Vec3f p) {
+double factor_of(const auto& light, Vec3f p) {
   const double square = length_squared(Vec3d(light.center) - Vec3d(p));
   return square > 0 ? 1 / square : 0;
 }

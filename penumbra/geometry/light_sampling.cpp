@@ -10,7 +10,8 @@
 namespace penumbra {
 namespace {
 
-void sample(const PointLight& light, Vec3f p, SampleArrays to) {
+/// Every sample is the centre.
+void sample(const auto& light, Vec3f p, SampleArrays to) {
   const Vec3f way(Vec3d(light.center) - Vec3d(p));
   std::fill_n(to.x, to.count, way.x);
   std::fill_n(to.y, to.count, way.y);

@@ -3,9 +3,7 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
-
-#include "penumbra/geometry/parallelogram.h"
+#include <span>
 
 namespace penumbra {
 namespace {
@@ -17,14 +15,14 @@ Box box_around(Vec3d middle, Vec3d half) {
   return outward(middle - grown, middle + grown);
 }
 
-/// What float cannot tell of a distance between p and something of this size.
-double float_doubt(Vec3f p, double size) {
-  return (max_abs(Vec3d(p)) + size) * std::numeric_limits<float>::epsilon();
+/// Of the centre too: rounding may have put it outside.
+Box box_around(Vec3f center, std::span<const Vec3f> corners) {
+  Box box{center, center};
+  for (const Vec3f corner : corners) box.add(corner);
+  return box;
 }
 
-Vec3d center_of(const PointLight& light) { return Vec3d(light.center); }
-Vec3d center_of(const BallLight& light) { return Vec3d(light.center); }
-Vec3d center_of(const ParallelogramLight& light) { return Vec3d(light.center); }
+Vec3d center_of(const auto& light) { return Vec3d(light.center); }
 
 Vec3d support_of(const PointLight& light, Vec3d) { return center_of(light); }
 
@@ -35,6 +33,34 @@ Vec3d support_of(const BallLight& light, Vec3d direction) {
 Vec3d support_of(const ParallelogramLight& light, Vec3d direction) {
   const Vec3d u(light.u), v(light.v);
   return center_of(light) + (dot(u, direction) < 0 ? -u : u) + (dot(v, direction) < 0 ? -v : v);
+}
+
+Vec3d support_of(const DiskLight& light, Vec3d direction) {
+  const Vec3d n = normalize(Vec3d(light.normal)), d = normalize(direction);
+  return center_of(light) + normalize(d - n * dot(n, d)) * static_cast<double>(light.radius);
+}
+
+Vec3d support_of(const LineLight& light, Vec3d direction) {
+  const Vec3d half(light.half);
+  return center_of(light) + (dot(half, direction) < 0 ? -half : half);
+}
+
+Vec3d farthest(Vec3f center, std::span<const Vec3f> corners, Vec3d direction) {
+  Vec3d best(center);
+  double most = dot(best, direction);
+  for (const Vec3f corner : corners) {
+    const double along = dot(Vec3d(corner), direction);
+    if (along > most) best = Vec3d(corner), most = along;
+  }
+  return best;
+}
+
+Vec3d support_of(const PolygonLight& light, Vec3d direction) {
+  return farthest(light.center, light.corners, direction);
+}
+
+Vec3d support_of(const MeshLight& light, Vec3d direction) {
+  return farthest(light.center, light.corners, direction);
 }
 
 Box bounds_of(const PointLight& light) { return {light.center, light.center}; }
@@ -49,44 +75,44 @@ Box bounds_of(const ParallelogramLight& light) {
   return box_around(center_of(light), max(u, -u) + max(v, -v));
 }
 
-// Comparisons are written so that NaN means inside.
-bool holds(const PointLight&, Vec3f) { return false; }
-bool holds(const SunLight&, Vec3f) { return false; }
-
-bool holds(const BallLight& light, Vec3f p) {
-  const double distance = length(center_of(light) - Vec3d(p));
-  return !(distance > light.radius + float_doubt(p, light.radius));
+Box bounds_of(const DiskLight& light) {
+  const Vec3d n = normalize(Vec3d(light.normal));
+  const Vec3d half(std::hypot(n.y, n.z), std::hypot(n.z, n.x), std::hypot(n.x, n.y));
+  return box_around(center_of(light), half * static_cast<double>(light.radius));
 }
 
-bool holds(const ParallelogramLight& light, Vec3f p) {
-  const Vec3d u(light.u), v(light.v), w = Vec3d(p) - center_of(light);
-  const Vec3d n = cross(u, v);
-  const double doubt = float_doubt(p, length(u) + length(v)), area = length(n);
-  // w = a u + b v + z n / |n|; a unit of a (of b) moves p by |n| / |v| (by |n| / |u|) off the edge.
-  const double a = dot(cross(w, v), n) / (area * area), b = dot(cross(u, w), n) / (area * area);
-  const double z = dot(w, n) / area;
-  return !(std::abs(z) > doubt) && !((std::abs(a) - 1) * area > doubt * length(v)) &&
-         !((std::abs(b) - 1) * area > doubt * length(u));
+Box bounds_of(const LineLight& light) {
+  const Vec3d half(light.half);
+  return box_around(center_of(light), max(half, -half));
 }
 
-double angle_of(const PointLight&, Vec3f) { return 0; }
+Box bounds_of(const PolygonLight& light) { return box_around(light.center, light.corners); }
+Box bounds_of(const MeshLight& light) { return box_around(light.center, light.corners); }
 
-double angle_of(const BallLight& light, Vec3f p) {
-  if (holds(light, p)) return 4 * std::numbers::pi;
-  const double distance = length(center_of(light) - Vec3d(p)), r = light.radius;
-  const double sine = r / distance;
-  const double cosine = std::sqrt((distance - r) * (distance + r)) / distance;
-  return 2 * std::numbers::pi * sine * sine / (1 + cosine);
+std::vector<Vec3d> corners_of(const PointLight& light) { return {center_of(light)}; }
+
+std::vector<Vec3d> corners_of(const ParallelogramLight& light) {
+  const Vec3d c(light.center), u(light.u), v(light.v);
+  return {c - u - v, c + u - v, c + u + v, c - u + v};
 }
 
-double angle_of(const ParallelogramLight& light, Vec3f p) {
-  return holds(light, p) ? 2 * std::numbers::pi : solid_angle(seen_from(light, p));
+std::vector<Vec3d> corners_of(const LineLight& light) {
+  const Vec3d c(light.center), half(light.half);
+  return {c - half, c + half};
 }
 
-double angle_of(const SunLight& light, Vec3f) {
-  const double s = std::sin(0.5 * light.half_angle_rad);
-  return 4 * std::numbers::pi * s * s;
+std::vector<Vec3d> in_double(std::span<const Vec3f> corners) {
+  std::vector<Vec3d> result;
+  for (const Vec3f corner : corners) result.emplace_back(corner);
+  return result;
 }
+
+std::vector<Vec3d> corners_of(const PolygonLight& light) { return in_double(light.corners); }
+std::vector<Vec3d> corners_of(const MeshLight& light) { return in_double(light.corners); }
+
+std::vector<Vec3d> corners_of(const BallLight&) { return {}; }
+std::vector<Vec3d> corners_of(const DiskLight&) { return {}; }
+std::vector<Vec3d> corners_of(const SunLight&) { return {}; }
 
 }  // namespace
 
@@ -122,12 +148,8 @@ std::optional<Box> bounds(const LightShape& light) {
       light);
 }
 
-bool contains(const LightShape& light, Vec3f p) {
-  return std::visit([&](const auto& shape) { return holds(shape, p); }, light);
-}
-
-double solid_angle(const LightShape& light, Vec3f p) {
-  return std::visit([&](const auto& shape) { return angle_of(shape, p); }, light);
+std::vector<Vec3d> corners(const LightShape& light) {
+  return std::visit([](const auto& shape) { return corners_of(shape); }, light);
 }
 
 }  // namespace penumbra

@@ -94,6 +94,12 @@ std::string words_of(Vec3f v) {
   return fmt::format(" {} {} {}", to_text(v.x), to_text(v.y), to_text(v.z));
 }
 
+std::string words_of(std::span<const Vec3f> corners) {
+  std::string words = fmt::format(" {}", corners.size());
+  for (const Vec3f corner : corners) words += words_of(corner);
+  return words;
+}
+
 /// Degrees that read back to this half angle.
 std::string degrees_text(float half_angle_rad) {
   const double degrees = static_cast<double>(half_angle_rad) * 360 / std::numbers::pi;
@@ -110,6 +116,14 @@ struct Words {
   std::string operator()(const ParallelogramLight& l) const {
     return "rect" + words_of(l.center) + words_of(l.u) + words_of(l.v);
   }
+  std::string operator()(const DiskLight& l) const {
+    return fmt::format("disk{}{} {}", words_of(l.center), words_of(l.normal), to_text(l.radius));
+  }
+  std::string operator()(const LineLight& l) const {
+    return "line" + words_of(l.center - l.half) + words_of(l.center + l.half);
+  }
+  std::string operator()(const PolygonLight& l) const { return "polygon" + words_of(l.corners); }
+  std::string operator()(const MeshLight& l) const { return "mesh" + words_of(l.corners); }
   std::string operator()(const SunLight& l) const {
     return fmt::format("sun{} {}", words_of(l.direction), degrees_text(l.half_angle_rad));
   }
