@@ -24,13 +24,6 @@ std::vector<Vec3d> around_disk(Vec3d normal, double radius) {
 /// From anywhere in the box nothing of it is that far away.
 double reach_of(const Box& scene) { return 2 * length(Vec3d(scene.hi) - Vec3d(scene.lo)) + 1e-30; }
 
-std::vector<Vec3d> corners_of(const PointLight&) { return {{}}; }
-
-std::vector<Vec3d> corners_of(const ParallelogramLight& light) {
-  const Vec3d u(light.u), v(light.v);
-  return {u + v, u - v, -u - v, -u + v};
-}
-
 }  // namespace
 
 LightHull::LightHull(const LightShape& light, const Box& scene) {
@@ -48,8 +41,14 @@ LightHull::LightHull(const LightShape& light, const Box& scene) {
     return;
   }
   center_ = Vec3d(*penumbra::center(light));
-  if (const auto* point = std::get_if<PointLight>(&light)) corners_ = corners_of(*point);
-  if (const auto* rect = std::get_if<ParallelogramLight>(&light)) corners_ = corners_of(*rect);
+  if (const auto* disk = std::get_if<DiskLight>(&light)) {
+    is_disk_ = true;
+    normal_ = normalize(Vec3d(disk->normal)), size_ = disk->radius;
+    corners_ = around_disk(normal_, size_);
+    return;
+  }
+  corners_ = penumbra::corners(light);
+  for (Vec3d& corner : corners_) corner = corner - center_;
   for (const Vec3d& corner : corners_) size_ = std::max(size_, length(corner));
 }
 
