@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/trace/render.h"
 
-#include "penumbra/trace/prepare.h"
-
 #include <gtest/gtest.h>
-
-#include <cstring>
 
 #include "penumbra/scene/complete_scene.h"
 #include "penumbra/scene/gallery.h"
+#include "penumbra/trace/prepare.h"
+#include "tests/trace/same_bits.h"
 
 namespace penumbra {
 namespace {
@@ -20,17 +18,6 @@ RenderOptions small(std::uint32_t size = 64) {
   options.width = options.height = size;
   options.shadow_samples = 9;
   return options;
-}
-
-bool same_bits(const Image& a, const Image& b) {
-  if (a.channels.size() != b.channels.size()) return false;
-  for (std::size_t i = 0; i < a.channels.size(); ++i)
-    if (a.channels[i].name != b.channels[i].name ||
-        a.channels[i].values.size() != b.channels[i].values.size() ||
-        std::memcmp(a.channels[i].values.data(), b.channels[i].values.data(),
-                    a.channels[i].values.size() * sizeof(float)) != 0)
-      return false;
-  return true;
 }
 
 /// The whole way from a scene to its picture.
