@@ -100,15 +100,15 @@ void ask_cache(const Kernel& kernel, OccluderQueue& queue, VisibilityScratch& sc
   }
 }
 
-/// Fills `blocked` for the active rays.
-void trace(const Kernel& kernel, OccluderQueue& queue, VisibilityScratch& scratch,
-           ShadowCounters& counters) {
+/// Fills `blocked` for the active rays; returns how many were traced.
+std::uint64_t trace(const Kernel& kernel, OccluderQueue& queue, VisibilityScratch& scratch,
+                    ShadowCounters& counters) {
   scratch.remaining = scratch.active;
   scratch.by_one.resize(scratch.active.size());
   std::fill(scratch.blocked.begin(), scratch.blocked.end(), 0u);
   ask_cache(kernel, queue, scratch, counters);
   const std::uint64_t rays = count_bits(scratch.remaining);
-  if (rays == 0) return;
+  if (rays == 0) return 0;
   const OccludedReport report = kernel.occluded(scratch.samples, scratch.remaining, scratch.by_one);
   counters.rays += rays;
   counters.tests += report.tests;
@@ -117,6 +117,7 @@ void trace(const Kernel& kernel, OccluderQueue& queue, VisibilityScratch& scratc
     queue.move_to_front(report.blocker);
   else if (count_bits(scratch.blocked) == 0)
     queue.drop_last();
+  return rays;
 }
 
 void count(ShadowClass shadow_class, ShadowCounters& counters) {
@@ -169,6 +170,7 @@ Visibility visibility(const ShadowScene& scene, std::uint32_t light, const Recei
   const ShadowClass proven = may_prove ? classify(scene, light, receiver.position, queue, counters)
                                        : ShadowClass::penumbra;
   Visibility result;
+  std::uint64_t rays = 0;
   if (proven == ShadowClass::umbra) {
     result = {0, 0, proven};
   } else if (proven == ShadowClass::lit && is_above) {
@@ -178,12 +180,22 @@ Visibility visibility(const ShadowScene& scene, std::uint32_t light, const Recei
     if (proven == ShadowClass::lit)
       std::fill(scratch.blocked.begin(), scratch.blocked.end(), 0u);
     else
-      trace(*scene.kernel, queue, scratch, counters);
+      rays = trace(*scene.kernel, queue, scratch, counters);
     result = sum_up(scratch);
     result.shadow_class = may_prove || is_doubtful ? proven : class_by_samples(scratch, result);
   }
+  result.rays = static_cast<std::uint32_t>(rays);
   count(result.shadow_class, counters);
   return result;
+}
+
+void visibilities(const ShadowScene& scene, std::uint32_t light,
+                  std::span<const ShadowQuery> queries, OccluderQueue& queue,
+                  VisibilityScratch& scratch, ShadowCounters& counters,
+                  std::span<Visibility> seen) {
+  for (std::size_t i = 0; i < queries.size(); ++i)
+    seen[i] =
+        visibility(scene, light, queries[i].receiver, queries[i].key, queue, scratch, counters);
 }
 
 }  // namespace penumbra

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "penumbra/geometry/light_sampling.h"
@@ -38,6 +39,13 @@ struct Visibility {
       0;  ///< V = sum w v / sum w, w the cosine; where sum w is 0 or not finite, `fraction`
   float fraction = 0;  ///< free samples / d; a sample on or below the horizon is not free
   ShadowClass shadow_class = ShadowClass::umbra;
+  std::uint32_t rays = 0;  ///< sample rays traced for it
+};
+
+/// One question: a receiver, and the key of its random numbers (`light_key`).
+struct ShadowQuery {
+  Receiver receiver;
+  std::uint64_t key = 0;
 };
 
 /// What a thread reuses between queries: the pattern of d samples and memory, so that none is
@@ -59,6 +67,11 @@ struct VisibilityScratch {
 Visibility visibility(const ShadowScene& scene, std::uint32_t light, const Receiver& receiver,
                       std::uint64_t key, OccluderQueue& queue, VisibilityScratch& scratch,
                       ShadowCounters& counters);
+
+/// The same for many receivers, best near one another: `seen[i]` answers `queries[i]`.
+void visibilities(const ShadowScene& scene, std::uint32_t light,
+                  std::span<const ShadowQuery> queries, OccluderQueue& queue,
+                  VisibilityScratch& scratch, ShadowCounters& counters, std::span<Visibility> seen);
 
 /// Key of a light's random numbers at a point: `point_key` identifies the point (pixel, sample in
 /// the pixel and path in the ray tree; a library caller's own, by default the index).

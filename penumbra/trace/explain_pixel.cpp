@@ -72,8 +72,8 @@ std::string explain_pixel(const Scene& scene, const ShadowScene& shadows,
   for (std::size_t s = 0; s < rays.size(); ++s) {
     std::vector<RayNode> nodes;
     const TraceContext context{scene, shadows, options.depth};
-    const Color color =
-        trace(context, rays[s].origin, rays[s].direction, rays[s].key, scratch, &nodes);
+    const WaveRay ray{rays[s].origin, rays[s].direction, rays[s].key, 0};
+    const Color color = trace(context, {&ray, 1}, scratch, &nodes).front().color;
     sum += Vec3d(color);
     out += fmt::format(" sample {}: colour {}\n", s, text(color));
     for (const RayNode& node : nodes) out += describe(node);

@@ -6,91 +6,133 @@
 namespace penumbra {
 namespace {
 
-struct Branch {
-  Vec3d origin, direction;
-  std::uint64_t path;
-  std::uint32_t depth;
-};
-
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// One tree; a class because all its branches share these references.
-class Tree {
- public:
-  Tree(const TraceContext& context, std::uint64_t sample_key, TraceScratch& scratch,
-       std::vector<RayNode>* nodes)
-      : context_(context), sample_key_(sample_key), scratch_(scratch), nodes_(nodes) {}
+/// Rays at one node of their trees, and what each adds to its parent.
+struct Wave {
+  std::vector<WaveRay> rays;
+  std::vector<Color> factor;  ///< of the colour along the ray
+  std::uint64_t path = 1;
+  std::uint32_t depth = 1;
+  bool is_empty() const { return rays.empty(); }
+  void add(const WaveRay& ray, Color by) { rays.push_back(ray), factor.push_back(by); }
+};
 
-  Color follow(const Branch& branch) {
-    const Ray ray{Vec3f(branch.origin), Vec3f(branch.direction)};
-    const Kernel::ClosestResult found = context_.shadows.kernel->closest(ray);
-    scratch_.counters.closest_tests += found.tests;
-    if (nodes_) nodes_->push_back({branch.path, found.hit, {}, {}, {}});
-    const std::size_t node = nodes_ ? nodes_->size() - 1 : 0;
-    if (!found.hit) return context_.scene.background.value_or(Color{});
-    const ShadingPoint point = shading_point(context_.scene, found.hit->shape, branch.origin,
-                                             branch.direction, found.hit->t);
-    if (nodes_) (*nodes_)[node].point = point;
-    Color color = point.material->emission + context_.scene.ambient * point.diffuse;
-    color += direct_light(point, branch.path, node);
-    if (branch.depth < context_.depth) color += secondary(point, branch);
-    return color;
+/// The trees of one call; a class because all waves share these references.
+class Trees {
+ public:
+  Trees(const TraceContext& context, TraceScratch& scratch, std::vector<RayNode>* nodes,
+        std::size_t count)
+      : results(count), context_(context), scratch_(scratch), nodes_(nodes) {}
+
+  void follow(const Wave& wave) {
+    std::vector<ShadingPoint> points;
+    std::vector<std::uint32_t> hits;  // rays of the wave, one a point
+    const std::size_t first_node = nodes_ ? nodes_->size() : 0;
+    for (std::uint32_t i = 0; i < wave.rays.size(); ++i) {
+      const WaveRay& ray = wave.rays[i];
+      const Kernel::ClosestResult found =
+          context_.shadows.kernel->closest({Vec3f(ray.origin), Vec3f(ray.direction)});
+      scratch_.counters.closest_tests += found.tests;
+      if (nodes_) nodes_->push_back({wave.path, found.hit, {}, {}, {}});
+      if (!found.hit) {
+        add(wave, i, context_.scene.background.value_or(Color{}));
+        continue;
+      }
+      points.push_back(
+          shading_point(context_.scene, found.hit->shape, ray.origin, ray.direction, found.hit->t));
+      hits.push_back(i);
+      if (nodes_) nodes_->back().point = points.back();
+    }
+    shade(wave, hits, points, first_node);
+    if (wave.depth == context_.depth) return;
+    const auto [reflected, refracted] = secondary(wave, hits, points);
+    scratch_.counters.reflected += reflected.rays.size();
+    scratch_.counters.refracted += refracted.rays.size();
+    if (!refracted.is_empty()) follow(refracted);
+    if (!reflected.is_empty()) follow(reflected);
   }
+
+  std::vector<TreeResult> results;
 
  private:
-  Color direct_light(const ShadingPoint& point, std::uint64_t path, std::size_t node) {
-    const double start = seconds_now();
-    const std::uint64_t key = hash(sample_key_, path);
-    Color sum;
-    for (std::uint32_t i = 0; i < context_.scene.lights.size(); ++i) {
-      const Light& light = context_.scene.lights[i];
-      const Visibility seen =
-          visibility(context_.shadows, i, {point.receiver, point.normal}, light_key(key, i),
-                     scratch_.cache.queue(path, i), scratch_.visibility, scratch_.counters.shadow);
-      const Color u = seen.cosine_weighted > 0 || nodes_ ? unshadowed(light, point) : Color{};
-      sum += u * seen.cosine_weighted;
-      if (!nodes_) continue;
-      (*nodes_)[node].light.push_back(seen);
-      (*nodes_)[node].unshadowed.push_back(u);
-    }
-    scratch_.shadow_seconds += seconds_now() - start;
-    return sum;
+  void add(const Wave& wave, std::uint32_t ray, Color color) {
+    results[wave.rays[ray].tree].color += wave.factor[ray] * color;
   }
 
-  Color secondary(const ShadingPoint& point, const Branch& branch) {
-    Color mirror = point.material->mirror, sum;
-    const Color transmission = point.material->transmission;
-    if (max_abs(transmission) > 0) {
-      if (const auto through = refracted(point)) {
-        ++scratch_.counters.refracted;
-        sum += transmission * follow({Vec3d(behind_position(point.surface)), Vec3d(*through),
-                                      2 * branch.path + 1, branch.depth + 1});
-      } else {
-        mirror += transmission;  // total reflection carries what would have gone through
+  /// Light of its own and from the lamps, reflected at each point.
+  void shade(const Wave& wave, const std::vector<std::uint32_t>& hits,
+             const std::vector<ShadingPoint>& points, std::size_t first_node) {
+    const double start = seconds_now();
+    std::vector<Color> sums;
+    std::vector<ShadowQuery> queries(points.size());
+    for (const ShadingPoint& point : points)
+      sums.push_back(point.material->emission + context_.scene.ambient * point.diffuse);
+    std::vector<Visibility> seen(points.size());
+    for (std::uint32_t light = 0; light < context_.scene.lights.size(); ++light) {
+      for (std::size_t k = 0; k < points.size(); ++k)
+        queries[k] = {{points[k].receiver, points[k].normal},
+                      light_key(hash(wave.rays[hits[k]].sample_key, wave.path), light)};
+      visibilities(context_.shadows, light, queries, scratch_.cache.queue(wave.path, light),
+                   scratch_.visibility, scratch_.counters.shadow, seen);
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const bool matters = seen[k].cosine_weighted > 0 || nodes_;
+        const Color u = matters ? unshadowed(context_.scene.lights[light], points[k]) : Color{};
+        sums[k] += u * seen[k].cosine_weighted;
+        results[wave.rays[hits[k]].tree].shadow_rays += seen[k].rays;
+        if (!nodes_) continue;
+        (*nodes_)[first_node + hits[k]].light.push_back(seen[k]);
+        (*nodes_)[first_node + hits[k]].unshadowed.push_back(u);
       }
     }
-    if (max_abs(mirror) > 0) {
-      ++scratch_.counters.reflected;
-      sum += mirror * follow({Vec3d(point.receiver), Vec3d(mirrored(point)), 2 * branch.path,
-                              branch.depth + 1});
+    for (std::size_t k = 0; k < points.size(); ++k) add(wave, hits[k], sums[k]);
+    scratch_.shadow_seconds += seconds_now() - start;
+  }
+
+  /// The next two waves. Total reflection carries what would have gone through.
+  static std::pair<Wave, Wave> secondary(const Wave& wave, const std::vector<std::uint32_t>& hits,
+                                         const std::vector<ShadingPoint>& points) {
+    Wave reflected, refracted;
+    reflected.path = 2 * wave.path, refracted.path = 2 * wave.path + 1;
+    reflected.depth = refracted.depth = wave.depth + 1;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const ShadingPoint& point = points[k];
+      const WaveRay& ray = wave.rays[hits[k]];
+      const Color factor = wave.factor[hits[k]], transmission = point.material->transmission;
+      Color mirror = point.material->mirror;
+      if (max_abs(transmission) > 0) {
+        if (const auto through = refracted_direction(point))
+          refracted.add(
+              {Vec3d(behind_position(point.surface)), Vec3d(*through), ray.sample_key, ray.tree},
+              factor * transmission);
+        else
+          mirror += transmission;
+      }
+      if (max_abs(mirror) > 0)
+        reflected.add(
+            {Vec3d(point.receiver), Vec3d(mirrored_direction(point)), ray.sample_key, ray.tree},
+            factor * mirror);
     }
-    return sum;
+    return {std::move(reflected), std::move(refracted)};
   }
 
   const TraceContext& context_;
-  std::uint64_t sample_key_;
   TraceScratch& scratch_;
   std::vector<RayNode>* nodes_;
 };
 
 }  // namespace
 
-Color trace(const TraceContext& context, Vec3d origin, Vec3d direction, std::uint64_t sample_key,
-            TraceScratch& scratch, std::vector<RayNode>* nodes) {
-  ++scratch.counters.primary;
-  return Tree(context, sample_key, scratch, nodes).follow({origin, direction, 1, 1});
+std::vector<TreeResult> trace(const TraceContext& context, std::span<const WaveRay> camera_rays,
+                              TraceScratch& scratch, std::vector<RayNode>* nodes) {
+  scratch.counters.primary += camera_rays.size();
+  Trees trees(context, scratch, nodes, camera_rays.size());
+  Wave wave;
+  for (const WaveRay& ray : camera_rays) wave.add(ray, {1, 1, 1});
+  trees.follow(wave);
+  return std::move(trees.results);
 }
 
 }  // namespace penumbra

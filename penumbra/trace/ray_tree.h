@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The tree of rays behind one sample of a pixel (Whitted 1980): camera ray, reflections,
-// refractions.
+// The trees of rays behind the samples of pixels (Whitted 1980): camera rays, reflections,
+// refractions. Trees of neighbouring pixels grow together, in waves: all rays of a wave stand at
+// the same node of their trees, so that their questions of visibility can be answered together.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "penumbra/kernel/kernel.h"
@@ -31,8 +33,21 @@ struct TraceScratch {
   double shadow_seconds = 0;
 };
 
-/// A node of the ray tree, for those who want to look inside (`explain_pixel`, layers of the
-/// primary hit).
+/// A ray of a wave.
+struct WaveRay {
+  Vec3d origin, direction;
+  std::uint64_t sample_key;  ///< identifies pixel and sample
+  std::uint32_t tree;        ///< which of the trees that grow together it belongs to
+};
+
+/// What a tree comes to.
+struct TreeResult {
+  Color color;
+  std::uint64_t shadow_rays = 0;
+};
+
+/// A node of a ray tree, for those who want to look inside (`explain_pixel`, layers of the primary
+/// hit).
 struct RayNode {
   std::uint64_t path;  ///< 1: camera ray; 2 path: reflected from there; 2 path + 1: refracted
   std::optional<Hit> hit;
@@ -41,9 +56,10 @@ struct RayNode {
   std::vector<Color> unshadowed;  ///< U of each light
 };
 
-/// Colour along a ray. `sample_key` identifies pixel and sample. Nodes are appended to `nodes` if
-/// it is not null.
-Color trace(const TraceContext& context, Vec3d origin, Vec3d direction, std::uint64_t sample_key,
-            TraceScratch& scratch, std::vector<RayNode>* nodes);
+/// Traces the trees of camera rays; ray i has `tree` i. Neighbours in the wave should be neighbours
+/// in the picture. Nodes are appended to `nodes` if it is not null: first those of the camera rays,
+/// in their order, then wave by wave. Memory: linear in rays and depth.
+std::vector<TreeResult> trace(const TraceContext& context, std::span<const WaveRay> camera_rays,
+                              TraceScratch& scratch, std::vector<RayNode>* nodes);
 
 }  // namespace penumbra

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <mutex>
 
+#include "penumbra/trace/block.h"
 #include "penumbra/trace/layers.h"
 #include "penumbra/trace/pixel.h"
 
@@ -44,12 +45,6 @@ class Totals {
   std::function<void(double)> progress_;
 };
 
-/// Pixels of a part of the picture.
-struct Area {
-  std::uint32_t x_begin, x_end, y_begin, y_end;
-  std::uint64_t pixels() const { return std::uint64_t(x_end - x_begin) * (y_end - y_begin); }
-};
-
 /// An area cut into squares, row by row.
 class Squares {
  public:
@@ -68,37 +63,6 @@ class Squares {
   Area area_;
   std::uint32_t edge_, across_;
 };
-
-PixelResult render_pixel(const TraceContext& context, const std::vector<CameraRay>& rays,
-                         bool wants_nodes, TraceScratch& scratch) {
-  PixelResult result;
-  const std::uint64_t before = scratch.counters.shadow.rays;
-  Vec3d sum;  // in double, in sample order
-  std::vector<RayNode> nodes;
-  for (const CameraRay& ray : rays) {
-    nodes.clear();
-    sum += Vec3d(trace(context, ray.origin, ray.direction, ray.key, scratch,
-                       wants_nodes ? &nodes : nullptr));
-    if (wants_nodes) result.primary.push_back(std::move(nodes.front()));
-  }
-  result.color = Color(sum / static_cast<double>(rays.size()));
-  result.shadow_rays = scratch.counters.shadow.rays - before;
-  return result;
-}
-
-void render_block(const TraceContext& context, const RenderOptions& options,
-                  const CameraRays& camera, Area block, Image& image, Totals& totals) {
-  TraceScratch scratch(options.shadow_samples, context.scene.lights.size());
-  std::vector<CameraRay> rays;
-  const bool wants_nodes = !options.aovs.empty();
-  for (std::uint32_t y = block.y_begin; y < block.y_end; ++y)
-    for (std::uint32_t x = block.x_begin; x < block.x_end; ++x) {
-      camera.of_pixel(x, y, rays);
-      const PixelResult result = render_pixel(context, rays, wants_nodes, scratch);
-      store(result, options.aovs, context.scene, std::size_t(y) * options.width + x, image);
-    }
-  totals.add(scratch, block.pixels());
-}
 
 }  // namespace
 
@@ -124,7 +88,8 @@ Picture render(const Scene& scene, const ShadowScene& shadows, const RenderOptio
           for (std::uint32_t i = range.begin(); i < range.end(); ++i) {
             const Squares blocks(tiles[i], block_edge);
             for (std::uint32_t k = 0; k < blocks.count(); ++k)
-              render_block(context, options, camera, blocks[k], picture.image, totals);
+              totals.add(render_block(context, options, camera, blocks[k], picture.image),
+                         blocks[k].pixels());
           }
         },
         tbb::simple_partitioner());

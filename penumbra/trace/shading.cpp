@@ -85,14 +85,14 @@ Color unshadowed(const Light& light, const ShadingPoint& point) {
   return reflected * light.intensity * static_cast<float>(strength);
 }
 
-Vec3f mirrored(const ShadingPoint& point) {
+Vec3f mirrored_direction(const ShadingPoint& point) {
   const auto about = [&](Vec3f n) { return n * (2 * dot(n, point.to_viewer)) - point.to_viewer; };
   const Vec3f direction = about(point.shading_normal);
   return dot(direction, point.normal) > 0 ? direction
                                           : about(point.normal);  // never into the surface
 }
 
-std::optional<Vec3f> refracted(const ShadingPoint& point) {
+std::optional<Vec3f> refracted_direction(const ShadingPoint& point) {
   const float index = point.material->refraction_index;
   const float eta = point.surface.is_back ? index : 1 / index;
   const auto about = [&](Vec3f n) -> std::optional<Vec3f> {

@@ -30,9 +30,9 @@ ShadingPoint shading_point(const Scene& scene, ShapeRef shape, Vec3d origin, Vec
 Color unshadowed(const Light& light, const ShadingPoint& point);
 
 /// Directions of secondary rays; not normalised.
-Vec3f mirrored(const ShadingPoint& point);
+Vec3f mirrored_direction(const ShadingPoint& point);
 
 /// Snell's law; nothing where the light is totally reflected.
-std::optional<Vec3f> refracted(const ShadingPoint& point);
+std::optional<Vec3f> refracted_direction(const ShadingPoint& point);
 
 }  // namespace penumbra

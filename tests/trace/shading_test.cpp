@@ -63,14 +63,14 @@ TEST(Shading, RefractionObeysSnell) {
   scene.materials[0].refraction_index = 1.5f;
   const Vec3d in = normalize(Vec3d{1, 0, -1});
   const ShadingPoint point = shading_point(scene, {ShapeKind::triangle, 0, 0, 0}, in * -5.0, in, 5);
-  const auto out = refracted(point);
+  const auto out = refracted_direction(point);
   ASSERT_TRUE(out);
   EXPECT_NEAR(normalize(*out).x, std::sin(0.78539816) / 1.5, 1e-6);
   EXPECT_LT(out->z, 0);
   // From inside at 60 degrees nothing gets out of glass.
   const Vec3d steep = normalize(Vec3d{std::sqrt(3.0), 0, 1});
-  EXPECT_FALSE(
-      refracted(shading_point(scene, {ShapeKind::triangle, 0, 0, 0}, steep * -5.0, steep, 5)));
+  EXPECT_FALSE(refracted_direction(
+      shading_point(scene, {ShapeKind::triangle, 0, 0, 0}, steep * -5.0, steep, 5)));
 }
 
 }  // namespace
