@@ -29,7 +29,7 @@ ShadowSet build_shadow_set(std::span<const Record> records, std::span<const Ligh
     const Box box = bounds(records[i]);
     const float t = largest_t(box, lights, offsets, receivers);
     Box all;
-    for (const LightHull& light : lights) all.add(offset_bounds(box, light, t));
+    for (const LightHull& light : lights) all.add(offset_bounds(box, light, t, receivers));
     grown.push_back({i, t});
     boxes.push_back(all);
   }
