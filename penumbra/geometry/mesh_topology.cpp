@@ -1,58 +1,24 @@
 // SPDX-License-Identifier: MIT
 // Components and what is closed: edges are sorted, so that those of one place lie side by side.
-#include <algorithm>
-#include <numeric>
-#include <tuple>
-
 #include "penumbra/geometry/mesh.h"
+#include "penumbra/geometry/mesh_edges.h"
 
 namespace penumbra {
 namespace {
 
-struct Edge {
-  std::uint32_t low, high;  // welded vertices
-  std::uint32_t triangle;
-  bool joins(const Edge& e) const { return low == e.low && high == e.high; }
-};
-
-std::vector<Edge> sorted_edges(const Mesh& mesh) {
+std::vector<detail::MeshEdge> welded_edges(const Mesh& mesh) {
   const std::vector<std::uint32_t> welded = welded_vertices(mesh);
-  std::vector<Edge> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t a = welded[mesh.triangles[t][k]];
-      const std::uint32_t b = welded[mesh.triangles[t][(k + 1) % 3]];
-      edges.push_back({std::min(a, b), std::max(a, b), t});
-    }
-  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
-    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-  });
-  return edges;
+  std::vector<Triangle> triangles = mesh.triangles;
+  for (Triangle& triangle : triangles)
+    for (std::uint32_t& corner : triangle) corner = welded[corner];
+  return detail::sorted_edges(triangles, mesh.positions.size());
 }
-
-/// Disjoint sets of triangles; the smallest of a set stands for it.
-struct TriangleSets {
-  std::vector<std::uint32_t> parent;
-
-  explicit TriangleSets(std::size_t count) : parent(count) {
-    std::iota(parent.begin(), parent.end(), 0u);
-  }
-  std::uint32_t find(std::uint32_t t) {
-    while (parent[t] != t) t = parent[t] = parent[parent[t]];
-    return t;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a), b = find(b);
-    parent[std::max(a, b)] = std::min(a, b);
-  }
-};
 
 }  // namespace
 
 MeshTopology topology(const Mesh& mesh) {
-  const std::vector<Edge> edges = sorted_edges(mesh);
-  TriangleSets sets(mesh.triangles.size());
+  const std::vector<detail::MeshEdge> edges = welded_edges(mesh);
+  detail::TriangleSets sets(mesh.triangles.size());
   std::vector<std::uint32_t> with_odd_edge;
   MeshTopology result;
   for (std::size_t i = 0; i < edges.size();) {

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "penumbra/geometry/inner_volume.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace penumbra {
+namespace {
+
+constexpr std::size_t most_planes = 48;
+
+/// The least of dot(n, x) over a box.
+double least(const Box& box, Vec3d n) {
+  return n.x * (n.x > 0 ? box.lo.x : box.hi.x) + n.y * (n.y > 0 ? box.lo.y : box.hi.y) +
+         n.z * (n.z > 0 ? box.lo.z : box.hi.z);
+}
+
+/// Planes around a centre that shut out triangles.
+class Planes {
+ public:
+  Planes(Vec3d center, double radius, double inward)
+      : center_(center), radius_(radius), inward_(inward) {}
+
+  const std::vector<HalfSpace>& all() const { return planes_; }
+
+  void add_box(const Box& box) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3d n;
+      n[axis] = 1;
+      planes_.push_back({n, (box.hi[axis] - center_[axis]) * (1 - inward_)});
+      planes_.push_back({-n, (center_[axis] - box.lo[axis]) * (1 - inward_)});
+    }
+  }
+
+  bool shut_out(const Box& box) const {
+    return std::any_of(planes_.begin(), planes_.end(), [&](const HalfSpace& plane) {
+      return least(box, plane.normal) - dot(plane.normal, center_) >= plane.offset;
+    });
+  }
+
+  bool shut_out(const FlatTriangle& triangle) const {
+    return std::any_of(planes_.begin(), planes_.end(), [&](const HalfSpace& plane) {
+      return near_side(triangle, plane.normal) >= plane.offset;
+    });
+  }
+
+  /// False where no plane separates the triangle from the centre.
+  bool add(const FlatTriangle& triangle) {
+    const Vec3d a(triangle.a), b(triangle.b), c(triangle.c);
+    Vec3d normal = normalize(cross(b - a, c - a));
+    if (dot(normal, a - center_) < 0) normal = -normal;
+    if (!(near_side(triangle, normal) >= radius_ * (1 - inward_)))
+      normal = normalize(nearest_point(triangle, center_).point - center_);
+    const double offset = near_side(triangle, normal) * (1 - inward_);
+    if (!(offset > 0)) return false;
+    planes_.push_back({normal, offset});
+    return true;
+  }
+
+ private:
+  double near_side(const FlatTriangle& triangle, Vec3d n) const {
+    return std::min({dot(n, Vec3d(triangle.a) - center_), dot(n, Vec3d(triangle.b) - center_),
+                     dot(n, Vec3d(triangle.c) - center_)});
+  }
+
+  Vec3d center_;
+  double radius_, inward_;
+  std::vector<HalfSpace> planes_;
+};
+
+/// Empty if it takes too many planes.
+ConvexPolyhedron inflated(const TriangleTree& triangles, Vec3d center, double radius,
+                          const Box& box, double inward) {
+  Planes planes(center, radius, inward);
+  planes.add_box(box);
+  bool is_done = true;
+  triangles.walk(
+      center, [&](const Box& b) { return planes.shut_out(b); },
+      [&](const FlatTriangle& triangle) {
+        if (planes.shut_out(triangle)) return true;
+        return is_done = planes.all().size() < most_planes && planes.add(triangle);
+      });
+  if (!is_done) return {};
+  return intersection(planes.all(), 4 * max_abs(Vec3d(box.hi) - Vec3d(box.lo)));
+}
+
+}  // namespace
+
+double clearance(const TriangleTree& triangles, Vec3d center, double at_most) {
+  const double distance = std::sqrt(triangles.nearest(center, at_most).distance_squared);
+  return std::max(0.0, distance - distance_doubt(center, distance));
+}
+
+Vec3d roomier_center(const TriangleTree& triangles, Vec3d p, double at_most) {
+  constexpr int steps = 12;
+  NearestPoint here = triangles.nearest(p, at_most);
+  double step = 0.5;
+  for (int i = 0; i < steps; ++i) {
+    const Vec3d moved = p + (p - here.point) * step;
+    const NearestPoint there = triangles.nearest(moved, at_most);
+    if (there.distance_squared > here.distance_squared)
+      p = moved, here = there;
+    else
+      step *= 0.5;
+  }
+  return p;
+}
+
+InnerVolume inner_volume(const TriangleTree& triangles, Vec3d center, const Box& box) {
+  InnerVolume volume{center, 0, {}};
+  const Vec3d room = min(center - Vec3d(box.lo), Vec3d(box.hi) - center);
+  volume.radius = clearance(triangles, center, std::min({room.x, room.y, room.z}));
+  if (!(volume.radius > 0)) return volume;
+  // The finer planes are, the more of them a curved surface takes.
+  for (const double inward : {0.01, 0.1}) {
+    volume.body = inflated(triangles, center, volume.radius, box, inward);
+    if (!volume.body.is_empty()) break;
+  }
+  return volume;
+}
+
+}  // namespace penumbra
