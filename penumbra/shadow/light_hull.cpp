@@ -54,7 +54,10 @@ LightHull::LightHull(const LightShape& light, const Box& scene) {
 }
 
 Vec3d LightHull::spread(Vec3d n) const {
-  if (is_disk_) return normalize(n - normal_ * dot(n, normal_)) * size_;
+  if (is_disk_) {
+    const Vec3d across = normalize(n - normal_ * dot(n, normal_));
+    return (across - normal_ * dot(across, normal_)) * size_;  // where n is the normal, noise
+  }
   if (is_ball()) return normalize(n) * size_;
   Vec3d best = corners_.front();
   for (const Vec3d& corner : corners_)
