@@ -14,7 +14,8 @@
 //
 // With ulp = 2^-24 of that distance: hits lie within 16 ulp of a sphere or ring, 32 of a cone, 64
 // of a triangle (near the sharp corner of one seen edge-on; else 16). A ray that passes more than 8
-// ulp deep through a shape, measured where it crosses and not along it, is a hit.
+// ulp deep through a shape, measured where it crosses and not along it, is a hit; so is one that
+// passes so deep through the solid of a capped cone no flatter than 1 : 4, its rims included.
 //
 // Highway "inl" header: included once for each instruction set.
 

@@ -13,6 +13,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "penumbra/kernel/lanes-inl.h"
 #include "penumbra/kernel/record.h"
@@ -51,15 +52,25 @@ HWY_INLINE ConeLanes<V> make_cone_lanes(D d, const Record& record, Vec3f origin,
   return cone;
 }
 
+/// No point of the cone is farther from the origin along any axis.
+inline float cone_reach(const Record& record, Vec3f origin) {
+  return max_abs(origin - record.vector(0)) + record.number[6] +
+         std::max(record.number[7], record.number[8]);
+}
+
+/// Side and caps reach past their common rims by what float can't tell, so that no ray through a
+/// rim is left to the cap by the side and to the side by the cap.
+inline float rim_overlap(const Record& record, Vec3f origin) {
+  return 0x1p-22f * cone_reach(record, origin);
+}
+
 /// The point of the ray that is nearest to the axis within the cone's slab. The slab is widened by
 /// what float can't tell, or a ray along its edge would have no point but far away; and no point is
 /// much farther than the cone, or its height there would be noise.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V nearest_to_axis(D d, const Record& record, const ConeLanes<V>& cone, Vec3f origin,
                              V square) {
-  const float height = record.number[6];
-  const float far = 2 * (max_abs(origin - record.vector(0)) + height +
-                         std::max(record.number[7], record.number[8]));
+  const float height = record.number[6], far = 2 * cone_reach(record, origin);
   const float doubt = 0x1p-21f * far;
   const V inverse = safe_reciprocal(d, cone.axial_direction);
   const V a = hn::Mul(hn::Set(d, -doubt - cone.axial_origin), inverse);
@@ -75,7 +86,10 @@ HWY_INLINE V nearest_to_axis(D d, const Record& record, const ConeLanes<V>& cone
 template <class D, class Report, class V = hn::Vec<D>>
 HWY_INLINE void intersect_cone_side(D d, const Record& record, const ConeLanes<V>& cone,
                                     Vec3f origin, Report&& report) {
-  const V zero = hn::Zero(d), height = hn::Set(d, record.number[6]);
+  const V zero = hn::Zero(d);
+  const float along_axis =
+      rim_overlap(record, origin) / std::sqrt(1 + record.number[9] * record.number[9]);
+  const V lowest = hn::Set(d, -along_axis), highest = hn::Set(d, record.number[6] + along_axis);
   const V square = dot(cone.radial_direction, cone.radial_direction);
   const V shift = nearest_to_axis(d, record, cone, origin, square);
   const Vec3Lanes<V> there = along(cone.origin, shift, cone.direction);
@@ -105,7 +119,7 @@ HWY_INLINE void intersect_cone_side(D d, const Record& record, const ConeLanes<V
   const V other = hn::IfThenElse(is_tangent, hn::Div(hn::Sub(root, B), A), hn::Div(C, q));
   for (const V& step : {other, hn::Div(q, A)}) {
     const V at = hn::Add(axial, hn::Mul(step, cone.axial_direction));
-    const auto hit = hn::And(real, hn::And(hn::Ge(at, zero), hn::Le(at, height)));
+    const auto hit = hn::And(real, hn::And(hn::Ge(at, lowest), hn::Le(at, highest)));
     if (!hn::AllFalse(d, hit)) report(hn::Mul(hn::Add(shift, step), cone.inverse_length), hit);
   }
 }
@@ -127,8 +141,9 @@ HWY_INLINE void intersect_cone(D d, const Record& record, Vec3f origin, const Ra
   const auto cone = make_cone_lanes(d, record, origin, ray);
   intersect_cone_side(d, record, cone, origin, report);
   if (!record.is_capped) return;
-  intersect_cap(d, cone, 0, record.number[7], report);
-  intersect_cap(d, cone, record.number[6], record.number[8], report);
+  const float overlap = rim_overlap(record, origin);
+  intersect_cap(d, cone, 0, record.number[7] + overlap, report);
+  intersect_cap(d, cone, record.number[6], record.number[8] + overlap, report);
 }
 
 }  // namespace penumbra::HWY_NAMESPACE

@@ -137,6 +137,94 @@ TEST(IntersectCone, RaysInTheRimsPlaneAreAccurate) {
   EXPECT_LE(exact::distance(shapes.cones[0], ray.at(hit->t)), 0x1p-20L);
 }
 
+/// Through two points of a capped cone's solid that lie on its rims, its apex or (the first)
+/// inside.
+struct RimRay {
+  Vec3f origin, direction;
+};
+
+RimRay through_rims(const Cone& cone, Random& random) {
+  const exact::Vec along = exact::Vec(cone.apex) - exact::Vec(cone.base);
+  const Frame<exact::Real> frame = frame_around(normalize(along));
+  const auto on_rim = [&](bool is_apex, exact::Real share) {
+    const exact::Real angle = random.one_in(2) ? random.below(4) * 1.57079632679489661923L
+                                               : exact::Real(random.uniform(0, 6.2831853f));
+    const exact::Real radius = share * exact::Real(is_apex ? cone.apex_radius : cone.base_radius);
+    return exact::Vec(is_apex ? cone.apex : cone.base) + frame.u * (radius * std::cos(angle)) +
+           frame.v * (radius * std::sin(angle));
+  };
+  const bool to_apex = random.one_in(2), from_inside = random.one_in(3);
+  const exact::Vec to = on_rim(to_apex, 1);
+  exact::Vec from = on_rim(!to_apex, from_inside ? exact::Real(random.uniform(0, 0.9f)) : 1);
+  if (from_inside) from = from + (to - from) * exact::Real(random.uniform(0.1f, 0.9f));
+  // What float leaves of both points decides how far off the rim the ray passes.
+  const exact::Real before = from_inside ? 0 : random.uniform(0.1f, 3);
+  const Vec3f origin(from - (to - from) * before);
+  const auto size = std::pow(2.0f, random.uniform(-2, 1));
+  return {origin, Vec3f(to - exact::Vec(origin)) * size};
+}
+
+/// How far outside the solid, at least; negative inside.
+exact::Real height_above(const Cone& cone, exact::Vec p) {
+  const exact::Vec q = exact::axis_of(cone).profile_point(p);
+  const exact::Real height = exact::height_of(cone),
+                    slope =
+                        (exact::Real(cone.apex_radius) - exact::Real(cone.base_radius)) / height;
+  return std::max(
+      {-q.x, q.x - height,
+       (q.y - exact::Real(cone.base_radius) - slope * q.x) / std::sqrt(1 + slope * slope)});
+}
+
+struct RimTrials {
+  std::uint64_t deep = 0, missed = 0;
+  double worst = 0;  // in ulp
+};
+
+RimTrials try_rims(std::uint64_t trials, Random& random) {
+  RimTrials result;
+  for (std::uint64_t i = 0; i < trials; ++i) {
+    const nasty::Place place = nasty::random_place(random);
+    const ShapeSet shapes = nasty::random_shapes(ShapeKind::cone, 1, place, random);
+    if (shapes.cones.empty()) continue;
+    ShapeSet solid = shapes;
+    Cone& cone = solid.cones.front();
+    cone.caps = Caps::capped;
+    if (!random.one_in(4)) cone.base_radius *= std::pow(2.0f, random.uniform(0, 6));
+    if (std::abs(cone.apex_radius - cone.base_radius) > 4 * exact::height_of(cone)) continue;
+    const RimRay ray = through_rims(cone, random);
+    if (!(max_abs(ray.direction) > 1e-18f)) continue;
+    const exact::Line line{exact::Vec(ray.origin), exact::Vec(ray.direction)};
+    const double reach = reach_of(bounds(solid), ray.origin), ulp = 0x1p-24 * reach;
+    const auto outside = [&](exact::Real t) { return height_above(cone, line.at(t)); };
+    const double far = 16 * reach / max_abs(Vec3d(ray.direction));
+    if (!exact::surely_crosses(outside, {0, far}, depth_bound * ulp)) continue;
+    ++result.deep;
+    const Record record = make_record(solid, {ShapeKind::cone, 0, 0, 0}, 0);
+    const NearestRecord found = nearest_brute({&record, 1}, {ray.origin, ray.direction});
+    result.missed += !found.found;
+    if (found.found)
+      result.worst = std::max(result.worst,
+                              static_cast<double>(exact::distance(cone, line.at(found.t)) / ulp));
+  }
+  return result;
+}
+
+/// Where side and cap meet neither may leave the ray to the other.
+TEST(IntersectCone, DeepRaysThroughBothRimsOfASolidHit) {
+  Random random(25);
+  const RimTrials trials = try_rims(200'000, random);
+  EXPECT_GT(trials.deep, 50'000u);
+  EXPECT_EQ(trials.missed, 0u);
+  EXPECT_LE(trials.worst, bound_of(ShapeKind::cone));
+}
+
+TEST(SlowIntersectCone, DeepRaysThroughBothRimsOfASolidHit) {
+  Random random(26);
+  const RimTrials trials = try_rims(5'000'000, random);
+  EXPECT_EQ(trials.missed, 0u);
+  EXPECT_LE(trials.worst, bound_of(ShapeKind::cone));
+}
+
 /// Rays that run within rounding of a triangle's plane cross it far outside the triangle.
 TEST(IntersectTriangle, GrazingHitsLieOnTheTriangle) {
   Random random(24);
