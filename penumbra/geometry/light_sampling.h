@@ -13,6 +13,7 @@
 
 #include "penumbra/geometry/light_shape.h"
 #include "penumbra/geometry/sample_pattern.h"
+#include "penumbra/geometry/triangle_sampling.h"
 #include "penumbra/geometry/vec.h"
 
 namespace penumbra {
@@ -26,6 +27,7 @@ struct LightSamples {
   float t_max = 1;             ///< 1, so that the ray ends at the sample; infinite for suns
   std::uint32_t count = 0;     ///< d
   std::vector<float> x, y, z;  ///< sample minus origin (for suns a unit direction)
+  std::vector<SampledTriangle> scratch;  ///< of polygons and meshes, so that its memory is reused
 
   void resize(std::uint32_t d);
 };
