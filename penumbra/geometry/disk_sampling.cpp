@@ -31,12 +31,22 @@ Polar polar(float u, float v) {
   return {major * major, wide > high ? part : 1 - part, std::copysign(1, a), std::copysign(1, b)};
 }
 
+/// c of SeenDisk.
+double rim_cosine(const SeenDisk& seen, double cos_chi, double sin_chi) {
+  const double a = seen.cos_a * cos_chi, b = seen.cos_b * sin_chi;
+  return std::sqrt(a * a + b * b);
+}
+
 /// chi by the share of a quarter's solid angle: cubic through the ends of intervals that grow
 /// towards pi/2, since c bends at 0 where p is near the rim.
 class QuarterTable {
  public:
   explicit QuarterTable(const SeenDisk& seen) : seen_(seen) {
-    intervals_ = seen.cos_b - seen.cos_a < 1e-3 ? 2 : most_intervals;
+    const double bent = seen.cos_b - seen.cos_a;
+    intervals_ = bent < 1e-3                   ? 2
+                 : bent < 0.05                 ? 4
+                 : 2 * seen.cos_a > seen.cos_b ? 8
+                                               : most_intervals;
     const double bend = std::asinh(seen.cos_b / std::max(seen.cos_a, 1e-6 * seen.cos_b));
     ends_[0] = {0, 0, slope(0)};
     for (int i = 1; i <= intervals_; ++i) {
@@ -44,11 +54,6 @@ class QuarterTable {
       const double chi = 0.5 * std::numbers::pi * std::sinh(bend * step) / std::sinh(bend);
       ends_[i] = {chi, ends_[i - 1].sum + integral(ends_[i - 1].chi, chi), slope(chi)};
     }
-  }
-
-  /// c of the chi at hand, which all else needs too.
-  double cosine(double chi) const {
-    return std::hypot(seen_.cos_a * std::cos(chi), seen_.cos_b * std::sin(chi));
   }
 
   double chi(double share) const {
@@ -69,7 +74,7 @@ class QuarterTable {
   };
   static constexpr int most_intervals = 16;
 
-  double slope(double chi) const { return 1 + cosine(chi); }
+  double slope(double chi) const { return 1 + rim_cosine(seen_, std::cos(chi), std::sin(chi)); }
 
   /// Of 1 / (1 + c), by Gauss's rule of three points.
   double integral(double from, double to) const {
@@ -86,10 +91,11 @@ class QuarterTable {
 /// Components along x, y and z of a unit direction: with m the place's radius_squared, the cosine
 /// to the axis goes from 1 at m = 0 to c at m = 1 in proportion to m.
 Vec3d direction_at(const Polar& place, const SeenDisk& seen, const QuarterTable& table) {
-  const double chi = table.chi(place.quarter), c = table.cosine(chi), m = place.radius_squared;
+  const double chi = table.chi(place.quarter), cosine = std::cos(chi), sine = std::sin(chi);
+  const double c = rim_cosine(seen, cosine, sine), m = place.radius_squared;
   const double k = m * (1 - c), across = std::sqrt(m * (2 - k) / (1 + c));
-  return {place.x_sign * across * seen.sin_a * std::cos(chi),
-          place.y_sign * across * seen.sin_b * std::sin(chi), 1 - k};
+  return {place.x_sign * across * seen.sin_a * cosine, place.y_sign * across * seen.sin_b * sine,
+          1 - k};
 }
 
 /// From the disk's centre, along x and `inward`.
@@ -99,10 +105,11 @@ struct InPlane {
 
 /// Onto the disk, whatever rounding did; NaN goes to the centre.
 Vec3f on_disk(const SeenDisk& seen, InPlane place) {
-  const double distance = std::hypot(place.x, place.inward);
-  const double shrink = distance > seen.radius ? seen.radius / distance : 1;
-  if (!std::isfinite(distance)) return Vec3f(seen.center);
-  return Vec3f(seen.center + (seen.x * place.x + seen.inward * place.inward) * shrink);
+  const double square = place.x * place.x + place.inward * place.inward;
+  if (!std::isfinite(square)) return Vec3f(seen.center);
+  const double limit = seen.radius * seen.radius;
+  const double scale = square > limit ? std::sqrt(limit / square) : 1;
+  return Vec3f(seen.center + (seen.x * (place.x * scale) + seen.inward * (place.inward * scale)));
 }
 
 InPlane along(Vec3d direction, const SeenDisk& seen) {
