@@ -121,7 +121,9 @@ void add_run_options(CLI::App& app, Options& o) {
 constexpr const char* footer =
     "Lights (numbers in scene units, each with an optional r g b at the end):\n"
     "  point x y z                              rect cx cy cz ux uy uz vx vy vz (half edges)\n"
-    "  sphere cx cy cz r                        sun dx dy dz degrees (towards it; diameter)\n\n"
+    "  sphere cx cy cz r                        disk cx cy cz nx ny nz r (n: its normal)\n"
+    "  line ax ay az bx by bz (from a to b)     polygon n x y z ... (n corners, convex, in order)\n"
+    "  mesh n x y z ... (convex hull of n)      sun dx dy dz degrees (towards it; diameter)\n\n"
     "Examples:\n"
     "  penumbra render bust.ply -o bust.png\n"
     "  penumbra render balls:4 -o balls.png --shadow-samples 64 --light-radius 5%\n"

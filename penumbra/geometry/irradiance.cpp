@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Ball: the projected area of a cone of directions cut by the horizon, as in J. Snyder, Area Light
-// Sources for Real-Time Graphics, 1996. Parallelogram: J. H. Lambert's sum over the edges of a
-// polygon (Photometria, 1760), after cutting it at the horizon.
+// Sources for Real-Time Graphics, 1996. The others: see projected_solid_angle.h.
 #include "penumbra/geometry/irradiance.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "penumbra/geometry/least_solid_angle.h"
+#include "penumbra/geometry/line_sampling.h"
 #include "penumbra/geometry/parallelogram.h"
-#include "penumbra/geometry/parallelogram_sampling.h"
+#include "penumbra/geometry/polygon.h"
+#include "penumbra/geometry/projected_solid_angle.h"
+#include "penumbra/geometry/seen_disk.h"
+#include "penumbra/geometry/seen_triangles.h"
 
 namespace penumbra {
 namespace {
@@ -37,8 +40,7 @@ double cone_irradiance(double elevation, double sine, double cosine) {
   return (segment + x + atan_minus_self(x) / (sine * sine)) * std::numbers::inv_pi;
 }
 
-/// As if all light came from the centre.
-double seen_by(const auto& light, Vec3f p, Vec3d n) {
+double seen_by(const PointLight& light, Vec3f p, Vec3d n) {
   return std::max(0.0, dot(n, normalize(Vec3d(light.center) - Vec3d(p))));
 }
 
@@ -56,48 +58,53 @@ double seen_by(const SunLight& sun, Vec3f, Vec3d n) {
   return cone_irradiance(elevation, std::sin(angle), std::cos(angle));
 }
 
-/// A polygon of at most five corners: what is left of a parallelogram above the horizon.
-struct ClippedPolygon {
-  std::array<Vec3d, 8> corners;
-  int count = 0;
-  void add(Vec3d corner) { corners[count++] = corner; }
-};
-
-ClippedPolygon above_horizon(const SeenParallelogram& seen, Vec3d n) {
-  const std::array<Vec3d, 4> corners = seen.corners();
-  ClippedPolygon result;
-  for (int i = 0; i < 4; ++i) {
-    const Vec3d a = corners[i], b = corners[(i + 1) % 4];
-    const double a_height = dot(n, a), b_height = dot(n, b);
-    if (a_height >= 0) result.add(a);
-    if ((a_height >= 0) != (b_height >= 0))
-      result.add(a + (b - a) * (a_height / (a_height - b_height)));
-  }
-  return result;
-}
-
-/// Angle that the edge subtends, along the normal of the plane through it and p.
-Vec3d edge_vector(Vec3d a, Vec3d b) {
-  const Vec3d across = cross(a, b - a);  // not b: no digits cancel where the edge is short
-  const double sine = length(across);
-  return sine > 0 ? across * (std::atan2(sine, dot(a, b)) / sine) : Vec3d{};
-}
-
 double seen_by(const ParallelogramLight& light, Vec3f p, Vec3d n) {
   const SeenParallelogram seen = seen_from(light, p);
   const double angle = solid_angle(seen);
   if (angle == 0) return 0;
   // So small that all its directions are one.
   if (angle < least_solid_angle) return std::max(0.0, dot(n, normalize(seen.center)));
-  const ClippedPolygon polygon = above_horizon(seen, n);
-  Vec3d sum;
-  for (int i = 0; i < polygon.count; ++i)
-    sum += edge_vector(polygon.corners[i], polygon.corners[(i + 1) % polygon.count]);
-  // Which side p is on decides the sign; the light shines both ways.
-  return std::min(1.0, 0.5 * std::abs(dot(n, sum)) / angle);
+  return std::min(1.0, projected_solid_angle(seen.corners(), n) / angle);
 }
 
-double factor_of(const auto& light, Vec3f p) {
+double seen_by(const DiskLight& light, Vec3f p, Vec3d n) {
+  if (contains(light, p)) return 0;
+  const SeenDisk seen = seen_from(light, p);
+  const double angle = solid_angle(seen);
+  if (angle == 0) return 0;
+  if (angle < least_solid_angle) return std::max(0.0, dot(n, normalize(seen.center)));
+  return std::clamp(projected_solid_angle(seen, n) / angle, 0.0, 1.0);
+}
+
+double seen_by(const LineLight& light, Vec3f p, Vec3d n) {
+  return contains(light, p) ? 0 : mean_cosine(seen_from(light, p), n);
+}
+
+/// Of the triangles that `is_wanted` lets pass.
+double seen_by_triangles(const auto& light, Vec3f p, Vec3d n, const auto& is_wanted) {
+  double angle = 0, projected = 0;
+  for (std::size_t i = 0; i < triangle_count(light); ++i) {
+    const SeenTriangle seen = seen_triangle(light, i, p);
+    if (!is_wanted(seen)) continue;
+    angle += solid_angle(seen);
+    projected += projected_solid_angle(seen.corners(), n);
+  }
+  if (angle == 0) return 0;
+  if (angle < least_solid_angle)
+    return std::max(0.0, dot(n, normalize(Vec3d(light.center) - Vec3d(p))));
+  return std::min(1.0, projected / angle);
+}
+
+double seen_by(const PolygonLight& light, Vec3f p, Vec3d n) {
+  return seen_by_triangles(light, p, n, [](const SeenTriangle&) { return true; });
+}
+
+double seen_by(const MeshLight& light, Vec3f p, Vec3d n) {
+  if (contains(light, p)) return 0.5;
+  return seen_by_triangles(light, p, n, [](const SeenTriangle& t) { return t.volume() < 0; });
+}
+
+double factor_of(const PointLight& light, Vec3f p) {
   const double square = length_squared(Vec3d(light.center) - Vec3d(p));
   return square > 0 ? 1 / square : 0;
 }
@@ -112,6 +119,28 @@ double factor_of(const BallLight& light, Vec3f p) {
 double factor_of(const ParallelogramLight& light, Vec3f p) {
   const double area = 4 * length(cross(Vec3d(light.u), Vec3d(light.v)));
   return solid_angle(light, p) / area;
+}
+
+double factor_of(const DiskLight& light, Vec3f p) {
+  const double r = light.radius;
+  return solid_angle(light, p) / (std::numbers::pi * r * r);
+}
+
+double factor_of(const LineLight& light, Vec3f p) {
+  return contains(light, p) ? 0 : mean_inverse_square(seen_from(light, p));
+}
+
+double factor_of(const PolygonLight& light, Vec3f p) {
+  return solid_angle(light, p) / (0.5 * length(polygon_normal(light.corners)));
+}
+
+double factor_of(const MeshLight& light, Vec3f p) {
+  double twice_surface = 0;
+  for (std::size_t i = 0; i < triangle_count(light); ++i) {
+    const SeenTriangle t = seen_triangle(light, i, p);
+    twice_surface += length(cross(t.to_second, t.to_third));
+  }
+  return std::min(solid_angle(light, p), 2 * std::numbers::pi) / (twice_surface / 8);
 }
 
 double factor_of(const SunLight&, Vec3f) { return 1; }

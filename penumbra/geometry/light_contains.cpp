@@ -35,7 +35,8 @@ bool holds(const ParallelogramLight& light, Vec3f p) {
 }
 
 bool holds(const DiskLight& light, Vec3f p) {
-  const Vec3d n = normalize(Vec3d(light.normal)), w = Vec3d(p) - Vec3d(light.center);
+  const Vec3d normal(light.normal), n = normal / length(normal);
+  const Vec3d w = Vec3d(p) - Vec3d(light.center);
   const double z = dot(w, n), doubt = float_doubt(p, light.radius);
   return !(std::abs(z) > doubt) && !(length(w - n * z) > light.radius + doubt);
 }

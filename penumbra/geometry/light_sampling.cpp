@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "penumbra/geometry/disk_sampling.h"
+#include "penumbra/geometry/line_sampling.h"
 #include "penumbra/geometry/parallelogram_sampling.h"
 #include "penumbra/geometry/sample_loops.h"
 
 namespace penumbra {
 namespace {
 
-/// Every sample is the centre.
-void sample(const auto& light, Vec3f p, SampleArrays to) {
+void sample(const PointLight& light, Vec3f p, SampleArrays to) {
   const Vec3f way(Vec3d(light.center) - Vec3d(p));
   std::fill_n(to.x, to.count, way.x);
   std::fill_n(to.y, to.count, way.y);
@@ -59,6 +60,19 @@ void sample(const ParallelogramLight& light, Vec3f p, SampleArrays to) {
   sample_parallelogram(light, p, to);
 }
 
+void sample(const DiskLight& light, Vec3f p, SampleArrays to) { sample_disk(light, p, to); }
+void sample(const LineLight& light, Vec3f p, SampleArrays to) { sample_line(light, p, to); }
+
+void sample(const PolygonLight& light, Vec3f p, SampleArrays to,
+            std::vector<SampledTriangle>& scratch) {
+  sample_polygon(light, p, to, scratch);
+}
+
+void sample(const MeshLight& light, Vec3f p, SampleArrays to,
+            std::vector<SampledTriangle>& scratch) {
+  sample_mesh(light, p, to, scratch);
+}
+
 void sample(const SunLight& sun, Vec3f, SampleArrays to) {
   const double s = std::sin(0.5 * static_cast<double>(sun.half_angle_rad));
   ConeSampling cone;
@@ -90,7 +104,14 @@ void sample_light(const LightShape& light, Vec3f p, const SamplePattern& pattern
   std::fill(out.x.begin() + d, out.x.end(), out.x[d - 1]);
   std::fill(out.y.begin() + d, out.y.end(), out.y[d - 1]);
   const SampleArrays arrays{out.x.data(), out.y.data(), out.z.data(), out.x.size()};
-  std::visit([&](const auto& shape) { sample(shape, p, arrays); }, light);
+  std::visit(
+      [&](const auto& shape) {
+        if constexpr (requires { sample(shape, p, arrays); })
+          sample(shape, p, arrays);
+        else
+          sample(shape, p, arrays, out.scratch);
+      },
+      light);
 }
 
 }  // namespace penumbra

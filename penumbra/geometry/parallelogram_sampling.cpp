@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // C. Urena, M. Fajardo, A. King, An Area-Preserving Parametrization for Spherical Rectangles, EGSR
-// 2013; J. Arvo, Stratified Sampling of Spherical Triangles, SIGGRAPH 1995.
+// 2013.
 #include "penumbra/geometry/parallelogram_sampling.h"
 
 #include <algorithm>
@@ -8,7 +8,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "penumbra/geometry/least_solid_angle.h"
 #include "penumbra/geometry/parallelogram.h"
+#include "penumbra/geometry/replace_samples.h"
+#include "penumbra/geometry/spherical_triangle.h"
 
 namespace penumbra {
 namespace {
@@ -48,41 +51,6 @@ RectangleSampling rectangle_sampling(const SeenParallelogram& seen, double angle
   return r;
 }
 
-/// What Arvo's method needs of a spherical triangle with unit corners a, b, c.
-struct SphericalTriangle {
-  double solid_angle = 0;
-  double sine = 0, cosine = 0, angle = 0;  // at a
-  double cos_ab = 0;
-  Vec3d a, toward_c, b;  // toward_c: unit, perpendicular to a, in the plane of a and c
-};
-
-SphericalTriangle spherical_triangle(Vec3d a, Vec3d b, Vec3d c, double solid_angle) {
-  SphericalTriangle t;
-  t.solid_angle = solid_angle;
-  t.a = normalize(a), t.b = normalize(b);
-  // Edges instead of corners: their cross products lose no digits where the triangle is small.
-  const Vec3d across_ab = cross(t.a, b - a), across_ac = cross(t.a, c - a);
-  t.toward_c = normalize(cross(across_ac, t.a));
-  t.angle = std::atan2(length(cross(across_ab, across_ac)), dot(across_ab, across_ac));
-  t.sine = std::sin(t.angle), t.cosine = std::cos(t.angle);
-  t.cos_ab = dot(t.a, t.b);
-  return t;
-}
-
-/// Arvo's algorithm: the sub-triangle a b c' has u of the area; v goes along the arc from b to c'.
-Vec3d direction_in(const SphericalTriangle& tri, double u, double v) {
-  const double phi = u * tri.solid_angle - tri.angle;
-  const double s = std::sin(phi), t = std::cos(phi);
-  const double p = t - tri.cosine, q = s + tri.sine * tri.cos_ab;
-  const double below = (q * s + p * t) * tri.sine;
-  const double cos_ac =
-      below == 0 ? 1 : std::clamp(((q * t - p * s) * tri.cosine - q) / below, -1.0, 1.0);
-  const Vec3d c = tri.a * cos_ac + tri.toward_c * std::sqrt((1 - cos_ac) * (1 + cos_ac));
-  const Vec3d across = c - tri.b * dot(c, tri.b);
-  const double h = v * 0.5 * length_squared(c - tri.b);  // 1 - cos of the arc from b
-  return tri.b * (1 - h) + normalize(across) * std::sqrt(std::max(0.0, h * (2 - h)));
-}
-
 void sample_skew(const SeenParallelogram& seen, std::array<double, 2> angles, SampleArrays to) {
   const std::array<Vec3d, 4> corner = seen.corners();
   const std::array<SphericalTriangle, 2> triangles = {
@@ -93,14 +61,7 @@ void sample_skew(const SeenParallelogram& seen, std::array<double, 2> angles, Sa
   const Vec3d for_a = cross(seen.v, n) / length_squared(n);
   const Vec3d for_b = cross(n, seen.u) / length_squared(n);
   const AreaSampling area = by_area(seen);
-  double last_u = -1, last_v = -1;
-  for (std::size_t i = 0; i < to.count; ++i) {
-    const double u = to.x[i], v = to.y[i];
-    if (u == last_u && v == last_v) {  // padding
-      to.x[i] = to.x[i - 1], to.y[i] = to.y[i - 1], to.z[i] = to.z[i - 1];
-      continue;
-    }
-    last_u = u, last_v = v;
+  replace_samples(to, [&](double u, double v) {
     const bool is_first = u < share;
     const double within = is_first ? u / share : (u - share) / (1 - share);
     const Vec3d direction = direction_in(triangles[is_first ? 0 : 1], within, v);
@@ -109,9 +70,8 @@ void sample_skew(const SeenParallelogram& seen, std::array<double, 2> angles, Sa
     const Vec3d offset = direction * (dot(seen.center, n) / dot(direction, n)) - seen.center;
     const float a = static_cast<float>(std::clamp(dot(offset, for_a), -1.0, 1.0));
     const float b = static_cast<float>(std::clamp(dot(offset, for_b), -1.0, 1.0));
-    const Vec3f sample = area.center + (area.u * a + area.v * b);
-    to.x[i] = sample.x, to.y[i] = sample.y, to.z[i] = sample.z;
-  }
+    return area.center + (area.u * a + area.v * b);
+  });
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ SeenDisk seen_from(const DiskLight& light, Vec3f p) {
   const double slant = std::hypot(foot, h);
   seen.z = (seen.inward * foot + seen.normal * h) / slant;
   seen.y = (seen.inward * h - seen.normal * foot) / slant;
-  seen.x = cross(seen.y, seen.z);
+  seen.x = cross(seen.inward, seen.normal);
   return seen;
 }
 
@@ -52,7 +52,7 @@ double solid_angle(const SeenDisk& seen) {
   // sqrt(ratio) tan(xi) has spread the bend that c has where p is near the rim.
   const double ratio =
       2 * std::sqrt(seen.nearest) * std::sqrt(seen.farthest) / (seen.nearest + seen.farthest);
-  const int steps = 4 + static_cast<int>(std::min(1e5, std::ceil(9 / std::sqrt(ratio))));
+  const int steps = 4 + static_cast<int>(std::min(1e3, std::ceil(9 / std::sqrt(ratio))));
   const double b2 = seen.cos_b * seen.cos_b * ratio;
   double sum = 0;
   for (int i = 0; i <= steps; ++i) {

@@ -18,8 +18,8 @@ struct SeenDisk {
   Vec3d normal;  ///< unit, away from p
   Vec3d inward;  ///< unit, in the disk's plane, away from the foot of p
   double radius = 0;
-  double height = 0;  ///< of p over the plane; all below is meaningless where it is 0
-  double aside = 0;   ///< distance from the foot of p to the centre
+  double height = 0;                 ///< of p over the plane; y and z are meaningless where it is 0
+  double aside = 0;                  ///< distance from the foot of p to the centre
   double nearest = 0, farthest = 0;  ///< distances of p to the rim's points along `inward`
   Vec3d x, y, z;  ///< x across, y in the plane of `normal` and `inward`, z the ellipse's axis
   double sin_a = 0, cos_a = 1;  ///< half angle along x, the larger

@@ -3,6 +3,7 @@
 // irradiance share.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "penumbra/geometry/light_shape.h"
@@ -10,14 +11,15 @@
 
 namespace penumbra {
 
-/// Relative to the receiver, in double, where it is exact: corner, and edges from it. The middle
-/// of the sampling's fan is `corner`.
+/// Relative to the receiver, in double, where it is exact: a corner, and the edges from it.
 struct SeenTriangle {
   Vec3d corner, to_second, to_third;
 
   /// Six times the signed volume of the tetrahedron with p: negative where p is on the side from
   /// which the corners go round counter-clockwise.
   double volume() const { return dot(corner, cross(to_second, to_third)); }
+
+  std::array<Vec3d, 3> corners() const { return {corner, corner + to_second, corner + to_third}; }
 };
 
 /// Triangle i of the corners.size() - 2 of a fan around corner 0.

@@ -1,29 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <type_traits>
 
 #include <fmt/format.h>
 
+#include "penumbra/scene/check_light.h"
+#include "penumbra/scene/coordinates.h"
 #include "penumbra/scene/error.h"
 #include "penumbra/scene/scene.h"
 
 namespace penumbra {
 
 namespace {
-
-/// Squares of what lies within it are far inside float's range.
-constexpr double largest_coordinate = 1e15;
-
-// Comparisons are written so that NaN fails them.
-template <typename Number>
-bool is_coordinate(Vec3<Number> p) {
-  return std::abs(p.x) <= largest_coordinate && std::abs(p.y) <= largest_coordinate &&
-         std::abs(p.z) <= largest_coordinate;
-}
-bool is_radius(float r) { return r > 0 && r <= largest_coordinate; }
 
 /// Unit length; zero where there is no direction. What has it to float precision stays as it is, so
 /// that validating again (a scene that went through a file) changes no bit.
@@ -174,31 +164,14 @@ std::size_t check_meshes(Scene& scene, const Checker& check) {
   return dropped;
 }
 
-bool is_parallelogram(const ParallelogramLight& light) {
-  const Vec3d u = normalize(Vec3d(light.u)), v = normalize(Vec3d(light.v));
-  return is_coordinate(light.u) && is_coordinate(light.v) && length(cross(u, v)) > 1e-6;
-}
-
 void check_lights(Scene& scene, const Checker& check) {
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     Light& light = scene.lights[i];
     check.require(is_color(light.intensity), "light", i, color_problem, color_hint);
-    if (auto* sun = std::get_if<SunLight>(&light.shape)) {
-      sun->direction = unit(sun->direction);
-      check.require(sun->direction != Vec3f{}, "light", i, "has no direction",
-                    "point it at the sun");
-      check.require(sun->half_angle_rad >= 0 && sun->half_angle_rad < std::numbers::pi_v<float> / 2,
-                    "light", i, "has an angular diameter outside [0, 180) degrees", "use 0.53");
-      continue;
-    }
-    const std::optional<Vec3f> position = center(light.shape);
-    check.require(position && is_coordinate(*position), "light", i, coordinate_problem,
-                  coordinate_hint);
-    if (const auto* ball = std::get_if<BallLight>(&light.shape))
-      check.require(is_radius(ball->radius), "light", i, radius_problem, radius_hint);
-    if (const auto* panel = std::get_if<ParallelogramLight>(&light.shape))
-      check.require(is_parallelogram(*panel), "light", i, "is no parallelogram",
-                    "give two half edges that are not parallel");
+    const std::optional<LightProblem> problem = problem_of(light.shape);
+    if (problem) check.require(false, "light", i, problem->what, problem->hint);
+    if (auto* sun = std::get_if<SunLight>(&light.shape)) sun->direction = unit(sun->direction);
+    if (auto* disk = std::get_if<DiskLight>(&light.shape)) disk->normal = unit(disk->normal);
   }
 }
 

@@ -5,10 +5,14 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <sstream>
 #include <variant>
 
+#include "penumbra/geometry/centroid.h"
+#include "penumbra/scene/check_light.h"
 #include "penumbra/scene/error.h"
+#include "penumbra/scene_io/convex_hull.h"
 #include "penumbra/scene_io/numbers.h"
 
 namespace penumbra {
@@ -17,33 +21,54 @@ namespace {
 /// What follows the first word.
 struct Form {
   std::string_view name, arguments;
-  std::size_t count = 0;  ///< of numbers, without the colour
+  std::size_t count = 0;  ///< of numbers, without the colour; 0: a count of points comes first
 };
 
 constexpr Form forms[] = {{"point", "x y z", 3},
                           {"sphere", "cx cy cz r", 4},
                           {"rect", "cx cy cz ux uy uz vx vy vz", 9},
+                          {"disk", "cx cy cz nx ny nz r", 7},
+                          {"line", "ax ay az bx by bz", 6},
+                          {"polygon", "n x1 y1 z1 ... xn yn zn"},
+                          {"mesh", "n x1 y1 z1 ... xn yn zn"},
                           {"sun", "dx dy dz degrees", 4}};
-
-constexpr std::string_view later_forms[] = {"disk", "line", "polygon"};
 
 const Form& form_named(const std::string& name) {
   for (const Form& form : forms)
     if (form.name == name) return form;
-  for (const std::string_view later : later_forms)
-    if (later == name)
-      throw Error({}, fmt::format("this version does not know {} lights yet", name),
-                  "use point, sphere, rect or sun");
-  throw Error({}, "there is no light called " + in_quotes(name), "use point, sphere, rect or sun");
+  throw Error({}, "there is no light called " + in_quotes(name),
+              "use point, sphere, rect, disk, line, polygon, mesh or sun");
 }
 
-std::vector<double> numbers_of(const Form& form, std::span<const std::string> words) {
-  const std::string hint = fmt::format("write `{} {} [r g b]`", form.name, form.arguments);
-  if (words.size() != form.count && words.size() != form.count + 3)
-    throw Error({},
-                fmt::format("a {} light takes {} numbers, or {} with a colour, but has {}",
-                            form.name, form.count, form.count + 3, words.size()),
-                hint);
+std::string usage(const Form& form) {
+  return fmt::format("write `{} {} [r g b]`", form.name, form.arguments);
+}
+
+/// How many numbers there must be, without the colour.
+std::size_t number_count(const Form& form, std::span<const std::string> words) {
+  if (form.count > 0) return form.count;
+  constexpr std::int64_t most = 1'000'000;
+  const auto points = words.empty() ? std::nullopt : parse_integer(words[0]);
+  if (!points || *points < 1 || *points > most)
+    throw Error(
+        {}, fmt::format("the first number of a {} light is not how many points follow", form.name),
+        usage(form));
+  return 1 + 3 * static_cast<std::size_t>(*points);
+}
+
+/// Degrees, and the ends of lines, whose middle and half are the floats.
+bool is_double(const Form& form, std::size_t i) {
+  return (form.name == "sun" && i == 3) || (form.name == "line" && i < 6);
+}
+
+std::vector<double> numbers_of(const Form& form, std::size_t count,
+                               std::span<const std::string> words) {
+  if (words.size() != count && words.size() != count + 3)
+    throw Error(
+        {},
+        fmt::format("{} {} light takes {} numbers, or {} with a colour, but has {}",
+                    form.count > 0 ? "a" : "this", form.name, count, count + 3, words.size()),
+        usage(form));
   std::vector<double> numbers;
   for (const std::string& word : words) {
     // Through float, so that the bits are those that a reader of floats gets.
@@ -52,9 +77,8 @@ std::vector<double> numbers_of(const Form& form, std::span<const std::string> wo
     if (!value || !narrow || !std::isfinite(*narrow))
       throw Error({},
                   fmt::format("{} of a {} light is no finite number", in_quotes(word), form.name),
-                  hint);
-    numbers.push_back(form.name == "sun" && numbers.size() == 3 ? *value
-                                                                : static_cast<double>(*narrow));
+                  usage(form));
+    numbers.push_back(is_double(form, numbers.size()) ? *value : static_cast<double>(*narrow));
   }
   return numbers;
 }
@@ -82,6 +106,44 @@ LightShape rect_light(std::span<const double> n) {
   return light;
 }
 
+/// What only the finished shape shows.
+LightShape checked(const Form& form, LightShape light) {
+  if (const std::optional<LightProblem> problem = problem_of(light))
+    throw Error({}, fmt::format("a {} light {}", form.name, problem->what), problem->hint);
+  return light;
+}
+
+LightShape disk_light(std::span<const double> n) {
+  return DiskLight{vector_at(n, 0), direction_at(n, 3), static_cast<float>(n[6])};
+}
+
+LightShape line_light(std::span<const double> n) {
+  const Vec3d a(n[0], n[1], n[2]), b(n[3], n[4], n[5]);
+  return LineLight{Vec3f((a + b) * 0.5), Vec3f((b - a) * 0.5)};
+}
+
+/// Of a count and as many points.
+std::vector<Vec3f> points_of(std::span<const double> n) {
+  std::vector<Vec3f> points;
+  for (std::size_t i = 1; i + 2 < n.size(); i += 3) points.push_back(vector_at(n, i));
+  return points;
+}
+
+LightShape polygon_light(std::span<const double> n) {
+  PolygonLight light{{}, points_of(n)};
+  light.center = area_centroid(light.corners);
+  return light;
+}
+
+LightShape mesh_light(std::span<const double> n) {
+  const std::vector<Vec3f> points = points_of(n);
+  std::optional<MeshLight> hull = convex_hull(points);
+  if (!hull)
+    throw Error({}, "the points of a mesh light enclose no volume",
+                "give at least 4 that are not in one plane, or use polygon");
+  return *std::move(hull);
+}
+
 LightShape sun_light(std::span<const double> n) {
   const SunLight light{direction_at(n, 0), static_cast<float>(n[3] * std::numbers::pi / 360)};
   if (light.direction == Vec3f{}) throw Error({}, "a sun light needs a direction that is not 0");
@@ -90,7 +152,19 @@ LightShape sun_light(std::span<const double> n) {
   return light;
 }
 
-std::string words_of(Vec3f v) {
+LightShape shape_of(const Form& form, std::span<const double> n) {
+  if (form.name == "sphere") return sphere_light(n);
+  if (form.name == "rect") return rect_light(n);
+  if (form.name == "disk") return disk_light(n);
+  if (form.name == "line") return line_light(n);
+  if (form.name == "polygon") return polygon_light(n);
+  if (form.name == "mesh") return mesh_light(n);
+  if (form.name == "sun") return sun_light(n);
+  return PointLight{vector_at(n, 0)};
+}
+
+template <typename Number>
+std::string words_of(Vec3<Number> v) {
   return fmt::format(" {} {} {}", to_text(v.x), to_text(v.y), to_text(v.z));
 }
 
@@ -120,7 +194,8 @@ struct Words {
     return fmt::format("disk{}{} {}", words_of(l.center), words_of(l.normal), to_text(l.radius));
   }
   std::string operator()(const LineLight& l) const {
-    return "line" + words_of(l.center - l.half) + words_of(l.center + l.half);
+    const Vec3d center(l.center), half(l.half);
+    return "line" + words_of(center - half) + words_of(center + half);
   }
   std::string operator()(const PolygonLight& l) const { return "polygon" + words_of(l.corners); }
   std::string operator()(const MeshLight& l) const { return "mesh" + words_of(l.corners); }
@@ -135,14 +210,11 @@ LightSpec parse_light_spec(std::span<const std::string> words) {
   if (words.empty())
     throw Error({}, "a light needs words", "write, for instance, `sphere 0 0 5 1`");
   const Form& form = form_named(words[0]);
-  const std::vector<double> n = numbers_of(form, words.subspan(1));
-  LightSpec spec;
-  if (form.name == "point") spec.shape = PointLight{vector_at(n, 0)};
-  if (form.name == "sphere") spec.shape = sphere_light(n);
-  if (form.name == "rect") spec.shape = rect_light(n);
-  if (form.name == "sun") spec.shape = sun_light(n);
-  if (n.size() == form.count) return spec;
-  spec.intensity = vector_at(n, form.count);
+  const std::size_t count = number_count(form, words.subspan(1));
+  const std::vector<double> all = numbers_of(form, count, words.subspan(1));
+  LightSpec spec{checked(form, shape_of(form, std::span(all).first(count))), {}};
+  if (all.size() == count) return spec;
+  spec.intensity = vector_at(all, count);
   const Color c = *spec.intensity;
   if (c.x < 0 || c.y < 0 || c.z < 0) throw Error({}, "a light's colour is below 0");
   return spec;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Lights in words, the same in NFF's "#! light" and in `--light`:
-//   point x y z | sphere cx cy cz r | rect cx cy cz ux uy uz vx vy vz | sun dx dy dz degrees
-// each with an optional "r g b" at the end, the linear intensity. `rect` has half edges; the sun's
-// direction is towards it, its degrees are its angular diameter.
+//   point x y z | sphere cx cy cz r | rect cx cy cz ux uy uz vx vy vz | disk cx cy cz nx ny nz r |
+//   line ax ay az bx by bz | polygon n x y z ... | mesh n x y z ... | sun dx dy dz degrees
+// each with an optional "r g b" at the end, the linear intensity. `rect` has half edges; a polygon
+// its n corners in order; a mesh is the convex hull of n points; the sun's direction is towards it,
+// its degrees are its angular diameter.
 #pragma once
 
 #include <optional>
@@ -29,7 +31,9 @@ Light parse_light(std::span<const std::string> words);
 /// The words of a line.
 std::vector<std::string> split_words(std::string_view text);
 
-/// Words that `parse_light` reads back to the same bits; the falloff is not part of them.
+/// Words that `parse_light` reads back to the same bits; the falloff is not part of them, and
+/// neither are the centres of polygons and the triangles of meshes, which follow from the corners.
+/// (Lines: the same bits where centre + half is exact in double, which has some 29 bits to spare.)
 std::string light_words(const Light& light);
 
 }  // namespace penumbra

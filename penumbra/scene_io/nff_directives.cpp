@@ -45,11 +45,12 @@ void set_radius(NffState& state, Tokens& words, const Token& directive) {
   Light& light = last_light(state, words, directive);
   const Token value = words.peek();
   const float radius = words.number("a radius");
-  const std::optional<Vec3f> position = center(light.shape);
-  if (!(radius > 0) || !position || std::holds_alternative<ParallelogramLight>(light.shape))
+  const bool is_round = std::holds_alternative<PointLight>(light.shape) ||
+                        std::holds_alternative<BallLight>(light.shape);
+  if (!(radius > 0) || !is_round)
     throw Error(words.place(value), "makes no ball of the light before this comment",
                 "give a radius above 0 after a point");
-  light.shape = BallLight{*position, radius};
+  light.shape = BallLight{*center(light.shape), radius};
 }
 
 void set_material(NffState& state, Tokens& words) {

@@ -3,6 +3,7 @@
 
 #include "penumbra/geometry/parallelogram.h"
 #include "tests/geometry/chi_squared.h"
+#include "tests/geometry/light_shapes.h"
 
 #include <gtest/gtest.h>
 #include <hwy/highway.h>
@@ -71,8 +72,8 @@ double parallelogram_deviate(const ParallelogramLight& light, Vec3f p, std::uint
   for (int i = 0; i < side; ++i)
     for (int j = 0; j < side; ++j) {
       const double a = (2.0 * i + 1) / side - 1, b = (2.0 * j + 1) / side - 1;
-      shares.push_back(solid_angle(
-          {seen.center + seen.u * a + seen.v * b, seen.u / double{side}, seen.v / double{side}}));
+      shares.push_back(solid_angle(SeenParallelogram{
+          seen.center + seen.u * a + seen.v * b, seen.u / double{side}, seen.v / double{side}}));
     }
   return deviate(light, p, d, bin_of, shares);
 }
@@ -256,7 +257,12 @@ TEST(LightSampling, EveryInstructionSetGivesTheSameBits) {
                                           BallLight{{1, 2, 3}, 9},
                                           SunLight{{0.6f, 0, 0.8f}, 0.3f},
                                           ParallelogramLight{{1, 2, 3}, {1, 0, 0}, {0, 1, 0}},
-                                          ParallelogramLight{{1, 2, 0}, {1, 0, 0}, {0, 1, 0}}};
+                                          ParallelogramLight{{1, 2, 0}, {1, 0, 0}, {0, 1, 0}},
+                                          DiskLight{{1, 2, 3}, {0.6f, 0, 0.8f}, 1},
+                                          DiskLight{{1, 0.25f, 0}, {0, 0, 1}, 2},
+                                          LineLight{{1, 2, 3}, {1, 0, 0.5f}},
+                                          polygon_around({1, 2, 3}, {1, 0, 0}, {0, 1, 0}, 5),
+                                          box_around({1, 2, 3}, {1, 2, 0.5f})};
   const SamplePattern pattern(53);
   const auto all_samples = [&] {
     std::vector<float> result;

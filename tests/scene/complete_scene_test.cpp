@@ -191,7 +191,8 @@ TEST(CompleteScene, LightRadiusMakesBalls) {
   scene.lights = {{PointLight{{9, 9, 9}}, {1, 1, 1}, Falloff::none},
                   {BallLight{{9, 9, 9}, 3}, {1, 1, 1}, Falloff::none},
                   {SunLight{}, {1, 1, 1}, Falloff::none},
-                  {ParallelogramLight{{9, 9, 9}, {1, 0, 0}, {0, 1, 0}}, {1, 1, 1}, Falloff::none}};
+                  {ParallelogramLight{{9, 9, 9}, {1, 0, 0}, {0, 1, 0}}, {1, 1, 1}, Falloff::none},
+                  {DiskLight{{9, 9, 9}, {0, 0, 1}, 3}, {1, 1, 1}, Falloff::none}};
   SceneOptions options;
   options.light_radius = LightRadius{0.5f, false};
   const Scene done = complete_scene(scene, options);
@@ -199,6 +200,7 @@ TEST(CompleteScene, LightRadiusMakesBalls) {
   EXPECT_EQ(std::get<BallLight>(done.lights[1].shape).radius, 0.5f);
   EXPECT_TRUE(std::holds_alternative<SunLight>(done.lights[2].shape));
   EXPECT_TRUE(std::holds_alternative<ParallelogramLight>(done.lights[3].shape));
+  EXPECT_EQ(std::get<DiskLight>(done.lights[4].shape).radius, 3);
   options.light_radius = LightRadius{5, true};
   const Scene percent = complete_scene(scene, options);
   EXPECT_FLOAT_EQ(std::get<BallLight>(percent.lights[0].shape).radius, 0.2f);

@@ -6,10 +6,12 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "penumbra/scene/error.h"
+#include "tests/geometry/light_shapes.h"
 
 namespace penumbra {
 namespace {
@@ -32,6 +34,10 @@ Scene good_scene() {
   scene.lights = {{PointLight{{0, 0, 5}}, {1, 1, 1}, Falloff::none},
                   {BallLight{{0, 0, 5}, 1}, {1, 1, 1}, Falloff::none},
                   {ParallelogramLight{{0, 0, 5}, {1, 0, 0}, {0, 1, 0}}, {1, 1, 1}, Falloff::none},
+                  {DiskLight{{0, 0, 5}, {0, 0, 2}, 1}, {1, 1, 1}, Falloff::none},
+                  {LineLight{{0, 0, 5}, {1, 0, 0}}, {1, 1, 1}, Falloff::none},
+                  {polygon_around({0, 0, 5}, {1, 0, 0}, {0, 1, 0}, 5), {1, 1, 1}, Falloff::none},
+                  {box_around({0, 0, 5}, {1, 1, 1}), {1, 1, 1}, Falloff::none},
                   {SunLight{{0, 0, 3}, 0.005f}, {1, 1, 1}, Falloff::none}};
   scene.camera = Camera{};
   scene.background = Color{};
@@ -77,6 +83,11 @@ TEST(Validate, CoordinatesMustBeFiniteAndInRange) {
     EXPECT_NE(problem_after([&](Scene& s) { light<PointLight>(s).center.x = bad; }), "") << bad;
     EXPECT_NE(problem_after([&](Scene& s) { light<BallLight>(s).center.x = bad; }), "") << bad;
     EXPECT_NE(problem_after([&](Scene& s) { light<ParallelogramLight>(s).u.x = bad; }), "") << bad;
+    EXPECT_NE(problem_after([&](Scene& s) { light<DiskLight>(s).center.y = bad; }), "") << bad;
+    EXPECT_NE(problem_after([&](Scene& s) { light<LineLight>(s).half.y = bad; }), "") << bad;
+    EXPECT_NE(problem_after([&](Scene& s) { light<PolygonLight>(s).corners[3].z = bad; }), "");
+    EXPECT_NE(problem_after([&](Scene& s) { light<PolygonLight>(s).center.z = bad; }), "") << bad;
+    EXPECT_NE(problem_after([&](Scene& s) { light<MeshLight>(s).corners[0].z = bad; }), "") << bad;
     EXPECT_NE(problem_after([&](Scene& s) { s.camera->from.x = bad; }), "") << bad;
     EXPECT_NE(problem_after([&](Scene& s) { s.camera->at.x = bad; }), "") << bad;
   }
@@ -138,8 +149,33 @@ TEST(Validate, LightsMustHaveAShape) {
   EXPECT_NE(problem_after([](Scene& s) { light<ParallelogramLight>(s).u = {0, 0, 0}; }), "");
   EXPECT_NE(problem_after([](Scene& s) { light<SunLight>(s).direction = {0, 0, 0}; }), "");
   EXPECT_NE(problem_after([](Scene& s) { light<SunLight>(s).direction.x = nan; }), "");
+  EXPECT_NE(problem_after([](Scene& s) { light<DiskLight>(s).normal = {0, 0, 0}; }), "");
+  EXPECT_NE(problem_after([](Scene& s) { light<DiskLight>(s).normal.y = nan; }), "");
+  EXPECT_NE(problem_after([](Scene& s) { light<DiskLight>(s).radius = nan; }), "");
+  EXPECT_NE(problem_after([](Scene& s) { light<LineLight>(s).half = {0, 0, 0}; }), "");
+  EXPECT_NE(problem_after([](Scene& s) { light<PolygonLight>(s).corners.clear(); }), "");
+  EXPECT_NE(problem_after([](Scene& s) { light<PolygonLight>(s).corners[2].z = 6; }), "");
+  EXPECT_NE(problem_after([](Scene& s) { light<PolygonLight>(s).corners[2] = {0, 0, 5}; }), "");
+  EXPECT_NE(problem_after([](Scene& s) { light<PolygonLight>(s).center.z = 6; }), "");
   for (float bad : {-0.1f, nan, std::numbers::pi_v<float> / 2})
     EXPECT_NE(problem_after([&](Scene& s) { light<SunLight>(s).half_angle_rad = bad; }), "") << bad;
+}
+
+TEST(Validate, MeshLightsMustBeClosedConvexAndOutward) {
+  EXPECT_NE(problem_after([](Scene& s) { light<MeshLight>(s).corners.clear(); }), "");
+  EXPECT_NE(problem_after([](Scene& s) { light<MeshLight>(s).triangles.clear(); }), "");
+  EXPECT_NE(problem_after([](Scene& s) { light<MeshLight>(s).triangles.pop_back(); }), "");
+  EXPECT_NE(problem_after([](Scene& s) { light<MeshLight>(s).triangles[0][1] = 8; }), "");
+  EXPECT_NE(problem_after([](Scene& s) { light<MeshLight>(s).corners[7] = {0, 0, 5}; }), "");
+  EXPECT_NE(problem_after([](Scene& s) { light<MeshLight>(s).center = {2, 0, 5}; }), "");
+  EXPECT_NE(problem_after([](Scene& s) {
+              for (Triangle& t : light<MeshLight>(s).triangles) std::swap(t[0], t[1]);
+            }),
+            "");
+  EXPECT_NE(problem_after([](Scene& s) {
+              for (Vec3f& corner : light<MeshLight>(s).corners) corner.z = 5;
+            }),
+            "");
 }
 
 TEST(Validate, CameraNumbersMustBeFinite) {
@@ -179,6 +215,7 @@ TEST(Validate, MakesDirectionsUnitLength) {
   validate(scene);
   EXPECT_EQ(ring(scene).normal, (Vec3f{0, 0, 1}));
   EXPECT_EQ(light<SunLight>(scene).direction, (Vec3f{0, 0, 1}));
+  EXPECT_EQ(light<DiskLight>(scene).normal, (Vec3f{0, 0, 1}));
   EXPECT_NEAR(scene.up.y, 0.6, 1e-12);
   EXPECT_EQ(mesh(scene).normals[0], (Vec3f{0, 0, 1}));
   EXPECT_EQ(mesh(scene).normals[1], (Vec3f{1, 0, 0}));

@@ -162,7 +162,9 @@ TEST(ReadNff, errors_name_the_line) {
   check("v from 0 0 0 at 1 0 0 resolution 1e6 5", "1", "65536");
   check("v from 0 0 0 at 1 0 0 angle 180", "1", "angle");
   check("v from 0 0 0 at 1 0 0 up 1 0 0", "1", "line of sight");
-  check("\n#! light disk 0 0 0 0 0 1 1", "2", "does not know");
+  check("\n#! light disk 0 0 0 0 0 0 1", "2", "no normal");
+  check("\n#! light polygon 3 0 0 0 1 0 0", "2", "takes 10 numbers");
+  check("#! light disk 0 0 0 0 0 1 1\n#! radius 1", "2", "no ball");
   check("#! light sphere 0 0 0", "1", "takes 4 numbers");
   check("#! intensity 1 1 1", "1", "no light");
   check("l 0 0 0\n#! radius 0", "2", "no ball");

@@ -157,6 +157,10 @@ Scene noisy_scene() {
   scene.lights.push_back(
       {BallLight{noise.vector(), noise.positive()}, noise.color(), Falloff::inverse_square});
   scene.lights.push_back({ParallelogramLight{noise.vector(), noise.vector(), noise.vector()}});
+  scene.lights.push_back({DiskLight{noise.vector(), normalize(noise.vector()), noise.positive()}});
+  scene.lights.push_back({LineLight{noise.vector(), noise.vector()}, noise.color()});
+  scene.lights.push_back(parse_light(split_words("polygon 3 0 0 5 1 0.1 5 0 1 5.3 0.1 2 3")));
+  scene.lights.push_back(parse_light(split_words("mesh 4 0 0 5 1 0.1 5 0 1 5.3 0.1 2 9")));
   scene.lights.push_back({SunLight{normalize(noise.vector()), 0.1f}, noise.color()});
   scene.shapes.meshes = {noisy_mesh(noise, false), noisy_mesh(noise, true),
                          noisy_mesh(noise, false), noisy_mesh(noise, true)};

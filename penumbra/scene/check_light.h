@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// What a light's shape must be for the methods to be right about it.
+#pragma once
+
+#include <optional>
+
+#include "penumbra/geometry/light_shape.h"
+
+namespace penumbra {
+
+struct LightProblem {
+  const char* what;  ///< goes on from "light 3", as in "is not planar"
+  const char* hint;
+};
+
+/// The first thing wrong with a light, or nothing. Directions need not be unit, but not 0. Flat
+/// shapes may be bent, and convex ones dented, by what float coordinates cannot express. Cost:
+/// triangles times corners.
+std::optional<LightProblem> problem_of(const LightShape& light);
+
+}  // namespace penumbra
