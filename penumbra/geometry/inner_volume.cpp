@@ -88,18 +88,20 @@ ConvexPolyhedron inflated(const TriangleTree& triangles, Vec3d center, double ra
 
 }  // namespace
 
-double clearance(const TriangleTree& triangles, Vec3d center, double at_most) {
-  const double distance = std::sqrt(triangles.nearest(center, at_most).distance_squared);
+double clearance(const TriangleTree& triangles, Vec3d center, double at_most, double slack) {
+  const double square = triangles.nearest(center, at_most, slack).distance_squared;
+  const double distance = std::sqrt(square) / (1 + slack);
   return std::max(0.0, distance - distance_doubt(center, distance));
 }
 
 Vec3d roomier_center(const TriangleTree& triangles, Vec3d p, double at_most) {
-  constexpr int steps = 12;
-  NearestPoint here = triangles.nearest(p, at_most);
+  constexpr int steps = 10;
+  constexpr double slack = 0.02;
+  NearestPoint here = triangles.nearest(p, at_most, slack);
   double step = 0.5;
   for (int i = 0; i < steps; ++i) {
     const Vec3d moved = p + (p - here.point) * step;
-    const NearestPoint there = triangles.nearest(moved, at_most);
+    const NearestPoint there = triangles.nearest(moved, at_most, slack);
     if (there.distance_squared > here.distance_squared)
       p = moved, here = there;
     else
@@ -111,7 +113,7 @@ Vec3d roomier_center(const TriangleTree& triangles, Vec3d p, double at_most) {
 InnerVolume inner_volume(const TriangleTree& triangles, Vec3d center, const Box& box) {
   InnerVolume volume{center, 0, {}};
   const Vec3d room = min(center - Vec3d(box.lo), Vec3d(box.hi) - center);
-  volume.radius = clearance(triangles, center, std::min({room.x, room.y, room.z}));
+  volume.radius = clearance(triangles, center, std::min({room.x, room.y, room.z}), 0);
   if (!(volume.radius > 0)) return volume;
   // The finer planes are, the more of them a curved surface takes.
   for (const double inward : {0.01, 0.1}) {
