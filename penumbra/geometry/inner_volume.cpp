@@ -2,9 +2,11 @@
 #include "penumbra/geometry/inner_volume.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
+
+#include "penumbra/geometry/sample_pattern.h"
 
 namespace penumbra {
 namespace {
@@ -70,6 +72,16 @@ class Planes {
   std::vector<HalfSpace> planes_;
 };
 
+/// Planes of a model often meet four in a point: moved inwards, each by some up to a thousandth,
+/// they don't.
+std::vector<HalfSpace> in_general_position(std::vector<HalfSpace> planes, std::uint64_t key) {
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const auto bits = static_cast<std::uint32_t>(hash(key, i));
+    planes[i].offset *= 1 - 1e-3 * double(unit_float(bits));
+  }
+  return planes;
+}
+
 /// Empty if it takes too many planes.
 ConvexPolyhedron inflated(const TriangleTree& triangles, Vec3d center, double radius,
                           const Box& box, double inward) {
@@ -83,7 +95,12 @@ ConvexPolyhedron inflated(const TriangleTree& triangles, Vec3d center, double ra
         return is_done = planes.all().size() < most_planes && planes.add(triangle);
       });
   if (!is_done) return {};
-  return intersection(planes.all(), 4 * max_abs(Vec3d(box.hi) - Vec3d(box.lo)));
+  const double bound = 4 * max_abs(Vec3d(box.hi) - Vec3d(box.lo));
+  for (std::uint64_t attempt = 0; attempt < 4; ++attempt) {
+    ConvexPolyhedron body = intersection(in_general_position(planes.all(), attempt), bound);
+    if (!body.is_empty()) return body;
+  }
+  return {};
 }
 
 }  // namespace
