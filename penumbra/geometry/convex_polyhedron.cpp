@@ -3,15 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
+#include <tuple>
 
 namespace penumbra {
 namespace {
 
 constexpr std::uint32_t no_face = 0xffffffffu;
 constexpr double longest_for_its_width = 1e4;
-constexpr double shortest_edge = 1e-12;
+constexpr double shortest_edge = 1e-8, same_place = 1e-10;  // of the size
 
 /// A corner of a face, and the other face along the edge that starts there.
 struct Corner {
@@ -43,17 +42,42 @@ Polygon clipped(const Polygon& polygon, const HalfSpace& by, std::uint32_t face)
   return kept;
 }
 
-using Faces = std::pair<std::uint32_t, std::uint32_t>;  // the lower first
+/// An edge as one of its faces has it; the lower face first.
+struct HalfEdge {
+  std::uint32_t low, high;
+  Vec3d at_low, at_high;  // where it starts, going round the lower, or the higher, face
+};
 
-/// The polygon's edges, unless another face gave them already.
-void add_edges(const Polygon& polygon, std::uint32_t face, double shortest,
-               std::map<Faces, ConvexPolyhedron::Edge>& edges) {
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Corner &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
-    if (!(length(to.at - from.at) > shortest)) continue;
-    const Faces key = std::minmax(face, from.face);
-    edges.try_emplace(key, ConvexPolyhedron::Edge{from.at, to.at, {key.first, key.second}});
+std::vector<HalfEdge> half_edges(std::span<const Polygon> polygons) {
+  std::vector<HalfEdge> halves;
+  for (std::uint32_t i = 0; i < polygons.size(); ++i)
+    for (std::size_t k = 0; k < polygons[i].size(); ++k) {
+      const Corner& from = polygons[i][k];
+      const Vec3d to = polygons[i][(k + 1) % polygons[i].size()].at;
+      if (i < from.face)
+        halves.push_back({i, from.face, from.at, to});
+      else
+        halves.push_back({from.face, i, to, from.at});
+    }
+  std::sort(halves.begin(), halves.end(), [](const HalfEdge& a, const HalfEdge& b) {
+    return std::tie(a.low, a.high) < std::tie(b.low, b.high);
+  });
+  return halves;
+}
+
+/// False unless each edge is there twice, at one place and not too short.
+bool add_edges(std::span<const HalfEdge> halves, ConvexPolyhedron& result) {
+  const double shortest = shortest_edge * result.outer, same = same_place * result.outer;
+  if (halves.size() % 2 == 1) return false;
+  for (std::size_t i = 0; i < halves.size(); i += 2) {
+    const HalfEdge &a = halves[i], &b = halves[i + 1];
+    const bool is_repeated = i > 0 && halves[i - 1].low == a.low && halves[i - 1].high == a.high;
+    if (is_repeated || a.low != b.low || a.high != b.high) return false;
+    if (!(length(a.at_low - b.at_low) < same && length(a.at_high - b.at_high) < same)) return false;
+    if (!(length(a.at_high - a.at_low) > shortest)) return false;
+    result.edges.push_back({a.at_low, a.at_high, {a.low, a.high}});
   }
+  return true;
 }
 
 std::vector<Polygon> face_polygons(std::span<const HalfSpace> planes, double bound) {
@@ -98,10 +122,7 @@ ConvexPolyhedron intersection(std::span<const HalfSpace> planes, double bound) {
       if (corner.face == no_face || !(max_abs(corner.at) < bound)) return {};
       result.outer = std::max(result.outer, length(corner.at));
     }
-  std::map<Faces, ConvexPolyhedron::Edge> edges;
-  for (std::uint32_t i = 0; i < planes.size(); ++i)
-    add_edges(polygons[i], i, shortest_edge * result.outer, edges);
-  for (const auto& [faces, edge] : edges) result.edges.push_back(edge);
+  if (!add_edges(half_edges(polygons), result)) return {};
   drop_unused_faces(planes, result);
   if (result.is_empty()) return {};
   result.inner = result.faces.front().offset;

@@ -2,9 +2,11 @@
 #include "penumbra/geometry/inner_volume.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
+
+#include "penumbra/geometry/sample_pattern.h"
 
 namespace penumbra {
 namespace {
@@ -70,6 +72,16 @@ class Planes {
   std::vector<HalfSpace> planes_;
 };
 
+/// Planes of a model often meet four in a point: moved inwards, each by some up to a thousandth,
+/// they don't.
+std::vector<HalfSpace> in_general_position(std::vector<HalfSpace> planes, std::uint64_t key) {
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const auto bits = static_cast<std::uint32_t>(hash(key, i));
+    planes[i].offset *= 1 - 1e-3 * double(unit_float(bits));
+  }
+  return planes;
+}
+
 /// Empty if it takes too many planes.
 ConvexPolyhedron inflated(const TriangleTree& triangles, Vec3d center, double radius,
                           const Box& box, double inward) {
@@ -83,23 +95,30 @@ ConvexPolyhedron inflated(const TriangleTree& triangles, Vec3d center, double ra
         return is_done = planes.all().size() < most_planes && planes.add(triangle);
       });
   if (!is_done) return {};
-  return intersection(planes.all(), 4 * max_abs(Vec3d(box.hi) - Vec3d(box.lo)));
+  const double bound = 4 * max_abs(Vec3d(box.hi) - Vec3d(box.lo));
+  for (std::uint64_t attempt = 0; attempt < 4; ++attempt) {
+    ConvexPolyhedron body = intersection(in_general_position(planes.all(), attempt), bound);
+    if (!body.is_empty()) return body;
+  }
+  return {};
 }
 
 }  // namespace
 
-double clearance(const TriangleTree& triangles, Vec3d center, double at_most) {
-  const double distance = std::sqrt(triangles.nearest(center, at_most).distance_squared);
+double clearance(const TriangleTree& triangles, Vec3d center, double at_most, double slack) {
+  const double square = triangles.nearest(center, at_most, slack).distance_squared;
+  const double distance = std::sqrt(square) / (1 + slack);
   return std::max(0.0, distance - distance_doubt(center, distance));
 }
 
 Vec3d roomier_center(const TriangleTree& triangles, Vec3d p, double at_most) {
-  constexpr int steps = 12;
-  NearestPoint here = triangles.nearest(p, at_most);
+  constexpr int steps = 10;
+  constexpr double slack = 0.02;
+  NearestPoint here = triangles.nearest(p, at_most, slack);
   double step = 0.5;
   for (int i = 0; i < steps; ++i) {
     const Vec3d moved = p + (p - here.point) * step;
-    const NearestPoint there = triangles.nearest(moved, at_most);
+    const NearestPoint there = triangles.nearest(moved, at_most, slack);
     if (there.distance_squared > here.distance_squared)
       p = moved, here = there;
     else
@@ -111,7 +130,7 @@ Vec3d roomier_center(const TriangleTree& triangles, Vec3d p, double at_most) {
 InnerVolume inner_volume(const TriangleTree& triangles, Vec3d center, const Box& box) {
   InnerVolume volume{center, 0, {}};
   const Vec3d room = min(center - Vec3d(box.lo), Vec3d(box.hi) - center);
-  volume.radius = clearance(triangles, center, std::min({room.x, room.y, room.z}));
+  volume.radius = clearance(triangles, center, std::min({room.x, room.y, room.z}), 0);
   if (!(volume.radius > 0)) return volume;
   // The finer planes are, the more of them a curved surface takes.
   for (const double inward : {0.01, 0.1}) {

@@ -15,8 +15,9 @@ struct InnerVolume {
   ConvexPolyhedron body;  ///< around the centre; empty if there is only the ball
 };
 
-/// The largest ball around the centre, as a lower bound of its radius; at most `at_most`.
-double clearance(const TriangleTree& triangles, Vec3d center, double at_most);
+/// The largest ball around the centre that no triangle reaches into: a lower bound of its radius,
+/// at most `at_most`, and at most `slack` times too small.
+double clearance(const TriangleTree& triangles, Vec3d center, double at_most, double slack);
 
 /// A centre near p, in the ball around p or in a ball around a centre so reached, and so on, with
 /// more room around it: climbs to where the distance to the triangles is about largest.

@@ -11,10 +11,11 @@
 namespace penumbra {
 namespace {
 
-constexpr double most_lines = 48, fewest_lines = 5;
+constexpr double most_lines = 32, fewest_lines = 5;
 constexpr double line_budget = 4 * most_lines * most_lines * most_lines;
-constexpr double thinnest = 1e-4;  // of a solid's size: less room is none
-constexpr double smallest = 0.03;  // of the radius of a solid's largest volume
+constexpr double ranking_slack = 0.1;  // seeds need not be ranked exactly
+constexpr double thinnest = 1e-4;      // of a solid's size: less room is none
+constexpr double smallest = 0.03;      // of the radius of a solid's largest volume
 
 double size_of(const Box& box) { return length(Vec3d(box.hi) - Vec3d(box.lo)); }
 
@@ -49,7 +50,7 @@ void add_seeds(const ClosedSurface& surface, const TriangleTree& tree, std::size
                std::uint32_t solid, std::vector<Seed>& seeds) {
   const double size = size_of(surface.box);
   for (const Vec3d p : inside_points(surface.triangles, lines)) {
-    const double room = clearance(tree, p, size);
+    const double room = clearance(tree, p, size, ranking_slack);
     if (room > thinnest * size) seeds.push_back({p, room, solid});
   }
 }

@@ -64,10 +64,11 @@ TriangleTree::Children TriangleTree::children(const std::vector<Box>& boxes, std
   return result;
 }
 
-NearestPoint TriangleTree::nearest(Vec3d p, double at_most) const {
+NearestPoint TriangleTree::nearest(Vec3d p, double at_most, double slack) const {
+  const double nearer = 1 / ((1 + slack) * (1 + slack));
   NearestPoint best{p, at_most * at_most};
   walk(
-      p, [&](const Box& box) { return distance_squared(box, p) >= best.distance_squared; },
+      p, [&](const Box& box) { return distance_squared(box, p) >= nearer * best.distance_squared; },
       [&](const FlatTriangle& triangle) {
         const NearestPoint other = nearest_point(triangle, p);
         if (other.distance_squared < best.distance_squared) best = other;

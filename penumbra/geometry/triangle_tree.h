@@ -20,8 +20,9 @@ class TriangleTree {
  public:
   explicit TriangleTree(std::span<const FlatTriangle> triangles);
 
-  /// The nearest point of all triangles, if nearer than `at_most`; else {p, at_most²}.
-  NearestPoint nearest(Vec3d p, double at_most) const;
+  /// The nearest point of all triangles, or one that is at most `slack` times farther off (0.1 is
+  /// ten times as quick as 0 for points deep inside); {p, at_most²} if there is none nearer.
+  NearestPoint nearest(Vec3d p, double at_most, double slack) const;
 
   /// Visits boxes and triangles from p outwards, nearer boxes about first. `skips(box)` says that
   /// nothing in the box matters; `visit(triangle)` returns false to end the walk.
@@ -36,6 +37,7 @@ class TriangleTree {
 
  private:
   static constexpr std::size_t fan = 4;
+  static constexpr std::size_t most_levels = 16;  // fan^16 runs are 2^32
   struct Node {
     std::size_t level, index;
   };
@@ -52,10 +54,11 @@ class TriangleTree {
 template <class Skips, class Visit>
 void TriangleTree::walk(Vec3d p, Skips skips, Visit visit) const {
   if (levels_.empty()) return;
-  std::vector<Node> stack{{levels_.size() - 1, 0}};
-  while (!stack.empty()) {
-    const Node node = stack.back();
-    stack.pop_back();
+  std::array<Node, fan * most_levels> stack;
+  std::size_t top = 0;
+  stack[top++] = {levels_.size() - 1, 0};
+  while (top > 0) {
+    const Node node = stack[--top];
     if (skips(levels_[node.level][node.index])) continue;
     const std::size_t first = fan * node.index;
     if (node.level == 0) {
@@ -66,7 +69,7 @@ void TriangleTree::walk(Vec3d p, Skips skips, Visit visit) const {
     }
     const Children below = children(levels_[node.level - 1], node.index, p);
     for (std::size_t i = below.count; i-- > 0;)
-      stack.push_back({node.level - 1, below.near[i].second});
+      stack[top++] = {node.level - 1, below.near[i].second};
   }
 }
 

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "penumbra/shadow/inner_volumes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "penumbra/geometry/surface_point.h"
+#include "penumbra/kernel/kernel.h"
+#include "penumbra/shadow/visibility.h"
+#include "tests/geometry/solid_meshes.h"
+#include "tests/kernel/nasty_shapes.h"
+#include "tests/shadow/light_kinds.h"
+
+namespace penumbra {
+namespace {
+
+using nasty::Random;
+using namespace solid_meshes;
+
+/// A scene of meshes, one light, and what is asked of them.
+struct Trial {
+  ShapeSet shapes;
+  Kernel kernel;
+  LightShape light;
+  LightHull hull;
+  InnerVolumes volumes;
+
+  Trial(ShapeSet set, LightShape l)
+      : shapes(std::move(set)),
+        kernel(shapes, {}),
+        light(std::move(l)),
+        hull(light, grown(kernel.bounds())),
+        volumes(shapes, {}, std::vector<LightHull>{hull}) {}
+
+  static Box grown(const Box& box) {
+    const Vec3f pad = box.size() * 0.5f;
+    return {box.lo - pad, box.hi + pad};
+  }
+  bool is_umbra(Vec3f p) const {
+    return volumes.covering(0, hull, p, no_volume).volume != no_volume;
+  }
+
+  /// Samples that no triangle blocks.
+  std::uint32_t free_samples(Vec3f p, const SamplePattern& pattern, std::uint64_t key) const {
+    LightSamples samples;
+    sample_light(light, p, pattern, key, samples);
+    std::vector<std::uint32_t> active((samples.count + 31) / 32, 0), blocked(active.size(), 0);
+    for (std::uint32_t i = 0; i < samples.count; ++i) active[i / 32] |= 1u << i % 32;
+    kernel.occluded(samples, active, blocked);
+    std::uint32_t result = 0;
+    for (std::size_t i = 0; i < active.size(); ++i)
+      result += static_cast<std::uint32_t>(__builtin_popcount(active[i] & ~blocked[i]));
+    return result;
+  }
+};
+
+Mesh random_mesh(Random& random) {
+  const std::uint32_t rows = 3 + random.below(12);
+  switch (random.below(9)) {
+    case 0: return box();
+    case 1: return torus(3 + random.below(20), 3 + random.below(12));
+    case 2: return crossed_torus(3 + random.below(20), 8);
+    case 3: return globe(rows, random.uniform(0, 0.6f), random.below(4));
+    case 4: return corner_piece();
+    case 5: return joined(box(), placed(globe(6), 0.7f, random.in_cube()));
+    case 6: return moebius_strip(4 + random.below(20));
+    default: return globe(rows, random.uniform(0, 0.6f));
+  }
+}
+
+/// Squeezed, turned, sheared and holed at random.
+Mesh nasty_mesh(const nasty::Place& place, Random& random) {
+  Mesh mesh = random_mesh(random);
+  const Vec3f x = random.one_in(2) ? Vec3f{1, 0, 0} : random.in_cube();
+  const Vec3f y = random.one_in(2) ? Vec3f{0, 1, 0} : random.in_cube();
+  const Vec3f z{random.uniform(-1, 1), 0, std::pow(10.0f, random.uniform(-3, 0))};
+  const Vec3f middle = random.in_cube();
+  for (Vec3f& p : mesh.positions) p = place(middle + x * p.x + y * p.y + z * p.z);
+  for (std::uint32_t i = random.below(6); i > 3; --i)
+    mesh.triangles.erase(mesh.triangles.begin() +
+                         random.below(static_cast<std::uint32_t>(mesh.triangles.size())));
+  drop_degenerate_triangles(mesh);
+  return mesh;
+}
+
+Trial random_trial(Random& random) {
+  const nasty::Place place = nasty::random_place(random);
+  ShapeSet shapes;
+  for (std::uint32_t i = 0, n = 1 + random.below(3); i < n; ++i)
+    shapes.meshes.push_back(nasty_mesh(place, random));
+  std::erase_if(shapes.meshes, [](const Mesh& mesh) { return mesh.triangles.empty(); });
+  if (shapes.meshes.empty()) shapes.meshes.push_back(box());
+  const Vec3f at = place(nasty::random_point(random) * random.uniform(0.2f, 6));
+  const float size = place.scale * std::pow(10.0f, random.uniform(-3, 0.3f));
+  return {std::move(shapes), light_of_kind(light_kinds[random.below(light_kinds.size())], at, size,
+                                           place(random.in_cube()))};
+}
+
+/// Where a ray that starts at the light, or anywhere, hits a mesh: in front of it or behind; on the
+/// far side of what it hit; or anywhere.
+Vec3f random_receiver(const Trial& trial, Random& random) {
+  const Box box = Trial::grown(trial.kernel.bounds());
+  const auto anywhere = [&] {
+    const Vec3f size = box.size();
+    return box.lo + Vec3f{size.x * random.uniform(0, 1), size.y * random.uniform(0, 1),
+                          size.z * random.uniform(0, 1)};
+  };
+  const Vec3f from = anywhere(), to = anywhere();
+  if (random.one_in(4)) return from;
+  const Vec3f away = random.one_in(2) ? to - from : -towards_center(trial.light, from);
+  const auto hit = trial.kernel.closest({from, away}).hit;
+  if (!hit) return from;
+  const SurfacePoint point =
+      surface_point(trial.shapes, hit->shape, Vec3d(from), Vec3d(away), double(hit->t));
+  return random.one_in(3) ? behind_position(point) : receiver_position(point);
+}
+
+/// Between a point in proven umbra and one that isn't, the last that is: where a wrong proof would
+/// show.
+Vec3f last_in_umbra(const Trial& trial, Vec3f umbra, Vec3f other) {
+  for (int i = 0; i < 24; ++i) {
+    const Vec3f middle = umbra * 0.5f + other * 0.5f;
+    (trial.is_umbra(middle) ? umbra : other) = middle;
+  }
+  return umbra;
+}
+
+struct Tally {
+  std::size_t queries = 0, proofs = 0, edges = 0;
+};
+
+void expect_all_blocked(const Trial& trial, Vec3f p, std::uint64_t key) {
+  static const SamplePattern pattern(64);
+  const std::uint32_t free = trial.free_samples(p, pattern, key);
+  EXPECT_EQ(free, 0u) << p.x << ' ' << p.y << ' ' << p.z << ", light " << trial.light.index()
+                      << ", key " << key;
+}
+
+Tally run_trials(std::uint64_t seed, std::uint32_t trials, std::uint32_t queries) {
+  Random random(seed);
+  Tally tally;
+  for (std::uint32_t t = 0; t < trials; ++t) {
+    const Trial trial = random_trial(random);
+    std::optional<Vec3f> umbra, other;
+    for (std::uint32_t q = 0; q < queries; ++q) {
+      const Vec3f p = random_receiver(trial, random);
+      const std::uint64_t key = hash(t, q);
+      ++tally.queries;
+      if (!trial.is_umbra(p)) {
+        other = p;
+      } else {
+        ++tally.proofs;
+        umbra = p;
+        expect_all_blocked(trial, p, key);
+      }
+      if (umbra && other && random.one_in(8)) {
+        ++tally.edges;
+        expect_all_blocked(trial, last_in_umbra(trial, *umbra, *other), key + 1);
+      }
+      if (testing::Test::HasFailure()) return tally;
+    }
+  }
+  return tally;
+}
+
+TEST(InnerVolumes, NoProofWhereASampleIsFree) {
+  const Tally tally = run_trials(1, 100, 1000);
+  EXPECT_GT(tally.proofs, tally.queries / 20);
+  EXPECT_GT(tally.edges, tally.queries / 50);
+}
+
+TEST(SlowInnerVolumes, NoProofWhereASampleIsFreeInTwoMillionTrials) {
+  const Tally tally = run_trials(2, 4000, 500);
+  RecordProperty("proofs", std::to_string(tally.proofs));
+  RecordProperty("edges", std::to_string(tally.edges));
+  EXPECT_GT(tally.proofs, tally.queries / 20);
+}
+
+}  // namespace
+}  // namespace penumbra
