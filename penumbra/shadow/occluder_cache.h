@@ -9,13 +9,14 @@
 #include <vector>
 
 #include "penumbra/kernel/traverse.h"
+#include "penumbra/shadow/inner_volumes.h"
 
 namespace penumbra {
 
 /// One queue. Entries index the kernel's records.
 struct OccluderQueue {
   std::array<std::uint32_t, 2> record{no_record, no_record};
-  std::uint32_t inner_volume = no_record;  ///< of the last umbra proof by one (`umbra`)
+  std::uint32_t inner_volume = no_volume;  ///< of the last umbra proof by one (`umbra`)
 
   /// A hit: `blocker` comes to the front, once.
   void move_to_front(std::uint32_t blocker) {

@@ -31,6 +31,8 @@ ShadowScene prepare_shadows(const Kernel& kernel, const ShapeSet& shapes,
     scene.set = build_shadow_set(kernel.records(), scene.hulls,
                                  method == Method::offset ? Offsets::full : Offsets::reduced,
                                  scene.receivers);
+  if (method == Method::umbra)
+    scene.inner = InnerVolumes(shapes, options.casts_no_shadow, scene.hulls);
   return scene;
 }
 

@@ -8,6 +8,7 @@
 
 #include "penumbra/geometry/light_shape.h"
 #include "penumbra/kernel/kernel.h"
+#include "penumbra/shadow/inner_volumes.h"
 #include "penumbra/shadow/light_hull.h"
 #include "penumbra/shadow/shadow_set.h"
 
@@ -35,9 +36,10 @@ struct ShadowScene {
   std::vector<LightHull> hulls;  ///< of the lights
   Box receivers;                 ///< holds p' of every surface; nothing is proven of other points
   ShadowSet set;                 ///< empty unless the method has one
+  InnerVolumes inner;            ///< of meshes; empty unless the method is `umbra`
 
   /// Of what is prepared here beside the kernel: Table 3's shadow set.
-  std::size_t memory_bytes() const { return set.memory_bytes(); }
+  std::size_t memory_bytes() const { return set.memory_bytes() + inner.memory_bytes(); }
 };
 
 /// `shapes` and `options` are those that the kernel was built from. Cost: O(n log n).
