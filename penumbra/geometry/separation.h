@@ -33,7 +33,7 @@ Vec3d extend(Simplex& simplex, Vec3d point);
 ///   of all that is computed here. What `support` itself loses to rounding belongs in the margin.
 ///   (2) For polytopes true wherever their distance exceeds the margin by 1e-9 of the sets'
 ///   coordinates; for curved sets, by 1e-4 of their size.
-///   (3) NaN gives false.
+///   (3) NaN in the margin or the points gives false.
 /// `hint_axis` points from b to a; one that parts them costs one evaluation.
 template <ConvexSet A, ConvexSet B>
 bool surely_apart(const A& a, const B& b, Vec3d hint_axis, double margin) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "penumbra/shadow/offset.h"
 #include "penumbra/shadow/record_hull.h"
@@ -19,27 +21,60 @@ bool behind_sphere(const Record& sphere, const LightHull& light, Vec3f p) {
   return clears(distance - sphere.number[3], away / distance, hit_bound(sphere, p), light, p);
 }
 
-/// The plane touches the solid where it is nearest to p, which is in the plane of axis and p;
-/// inside the solid p is below it.
+/// The half-plane of a cone's axis and p, in which the solid is a quadrilateral: height above the
+/// base and distance from the axis.
+struct Profile {
+  double h, r;                // of p
+  double height, base, apex;  // of the quadrilateral: radii at 0 and at `height`
+  double rise, slant;         // of its slanted side
+
+  /// The plane of a cap or the side, and how high p is above it.
+  struct Plane {
+    double h, r, clearance;
+  };
+  std::array<Plane, 3> faces() const {
+    return {{{-1, 0, -h},
+             {1, 0, h - height},
+             {-rise / slant, height / slant, ((r - base) * height - h * rise) / slant}}};
+  }
+
+  /// The plane that touches the solid where it is nearest to p, which is outside.
+  Plane nearest() const {
+    const double s = std::clamp((h * height + (r - base) * rise) / (slant * slant), 0.0, 1.0);
+    const Vec3d way[3] = {{h, r - std::min(r, base), 0},
+                          {h - height, r - std::min(r, apex), 0},
+                          {h - s * height, r - base - s * rise, 0}};
+    Vec3d least = way[0];
+    for (Vec3d other : way)
+      if (length_squared(other) < length_squared(least)) least = other;
+    const double distance = length(least);
+    return {least.x / distance, least.y / distance, distance};
+  }
+};
+
+/// Next to a rim the nearest point's plane turns with p's rounding: the faces' own come first.
 bool behind_cone(const Record& record, const LightHull& light, Vec3f p) {
   const ConeHull cone(record);
-  const Vec3d to = Vec3d(p) - cone.base;
-  const double h = dot(to, cone.axis);
-  const Vec3d across = to - cone.axis * h, radial = normalize(across);
-  const double r = dot(across, radial);
-  // Distances in that plane: to the caps, and to the side.
-  const double rise = cone.apex_radius - cone.base_radius,
-               square = cone.height * cone.height + rise * rise;
-  const double side =
-      std::clamp((h * cone.height + (r - cone.base_radius) * rise) / square, 0.0, 1.0);
-  const Vec3d candidate[3] = {{h, r - std::min(r, cone.base_radius), 0},
-                              {h - cone.height, r - std::min(r, cone.apex_radius), 0},
-                              {h - side * cone.height, r - cone.base_radius - side * rise, 0}};
-  Vec3d nearest = candidate[0];
-  for (const Vec3d& other : candidate)
-    if (length_squared(other) < length_squared(nearest)) nearest = other;
-  const Vec3d n = normalize(cone.axis * nearest.x + radial * nearest.y);
-  return clears(dot(Vec3d(p) - cone.support(n), n), n, hit_bound(record, p), light, p);
+  const Vec3d to = Vec3d(p) - cone.base, radial = across(to, cone.axis);
+  const double rise = cone.apex_radius - cone.base_radius;
+  const Profile profile{dot(to, cone.axis),
+                        dot(to, radial),
+                        cone.height,
+                        cone.base_radius,
+                        cone.apex_radius,
+                        rise,
+                        std::sqrt(cone.height * cone.height + rise * rise)};
+  const double bound = hit_bound(record, p);
+  const auto is_behind = [&](const Profile::Plane& plane) {
+    return plane.clearance > bound &&
+           clears(plane.clearance, cone.axis * plane.h + radial * plane.r, bound, light, p);
+  };
+  bool is_outside = false;
+  for (const Profile::Plane& face : profile.faces()) {
+    if (is_behind(face)) return true;
+    is_outside = is_outside || face.clearance > bound;
+  }
+  return is_outside && is_behind(profile.nearest());
 }
 
 bool behind_ring(const Record& ring, const LightHull& light, Vec3f p) {

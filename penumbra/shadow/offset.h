@@ -19,8 +19,8 @@ bool surely_misses_offset(const Record& record, const LightHull& light, Vec3f p,
 
 /// True only if a plane on p's side of the record proves that it blocks no sample: p and the whole
 /// light lie on one side of a triangle's or ring's plane, or above the plane that touches a sphere
-/// or (closed) cone where it is nearest to p. Settles the surface that p lies on. Part of
-/// `surely_misses_offset`.
+/// or (closed) cone where it is nearest to p, or of a cap or the side next to p. Settles the
+/// surface that p lies on. Part of `surely_misses_offset`.
 bool surely_behind_horizon(const Record& record, const LightHull& light, Vec3f p);
 
 /// Box that holds Q ⊖ t (L ⊖ c), given a box of Q; padded by more than all that

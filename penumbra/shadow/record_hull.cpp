@@ -21,24 +21,34 @@ double farthest_of_corners(const Record& triangle, Vec3d p) {
                    max_abs(Vec3d(triangle.vector(6)) - p)});
 }
 
-}  // namespace
+/// The bound in units of the reach, which is that coordinate.
+struct Bound {
+  double ulps, reach;
+};
 
-double hit_bound(const Record& record, Vec3f p) {
-  constexpr double ulp = 0x1p-24;
-  const Vec3d from(p), first(record.vector(0));
+Bound bound_of(const Record& record, Vec3d p) {
+  const Vec3d first(record.vector(0));
   switch (record.kind) {
-    case ShapeKind::sphere: return 16 * ulp * (max_abs(first - from) + record.number[3]);
+    case ShapeKind::sphere: return {16, max_abs(first - p) + record.number[3]};
     case ShapeKind::ring:
-      return 16 * ulp * farthest_of_disk(first, Vec3d(record.vector(3)), record.number[6], from);
+      return {16, farthest_of_disk(first, Vec3d(record.vector(3)), record.number[6], p)};
     case ShapeKind::cone: {
       const Vec3d axis(record.vector(3)), apex = first + axis * double(record.number[6]);
-      return 32 * ulp *
-             std::max(farthest_of_disk(first, axis, record.number[7], from),
-                      farthest_of_disk(apex, axis, record.number[8], from));
+      return {32, std::max(farthest_of_disk(first, axis, record.number[7], p),
+                           farthest_of_disk(apex, axis, record.number[8], p))};
     }
     case ShapeKind::triangle: break;
   }
-  return 64 * ulp * farthest_of_corners(record, from);
+  return {64, farthest_of_corners(record, p)};
+}
+
+}  // namespace
+
+double hit_bound(const Record& record, Vec3f p) {
+  const Bound bound = bound_of(record, Vec3d(p));
+  double sum = 0;  // maxima and minima may lose what is no number, sums don't
+  for (float number : record.number) sum += number;
+  return bound.ulps * 0x1p-24 * bound.reach + 0 * sum;
 }
 
 }  // namespace penumbra

@@ -7,13 +7,18 @@
 #include "penumbra/geometry/vec.h"
 #include "penumbra/kernel/record.h"
 
+#include <cmath>
+
 namespace penumbra {
 
 /// Unit vector along the part of n that is across the axis (a unit vector). Where n runs along the
 /// axis that part is noise, of which nothing may stay along the axis: what is left is shorter then.
 inline Vec3d across(Vec3d n, Vec3d axis) {
-  const Vec3d part = normalize(n - axis * dot(n, axis));
-  return part - axis * dot(part, axis);
+  const Vec3d part = n - axis * dot(n, axis);
+  const double square = length_squared(part);
+  if (!(square > 0)) return square == 0 ? Vec3d{} : part;  // NaN stays
+  const Vec3d unit = part * (1 / std::sqrt(square));
+  return unit - axis * dot(unit, axis);
 }
 
 /// Hull of a sphere but for its radius.
@@ -61,12 +66,6 @@ struct TriangleHull {
   }
 };
 
-/// Some point in the middle of the hull.
-inline Vec3d middle_of(const PointHull& h) { return h.center; }
-inline Vec3d middle_of(const DiskHull& h) { return h.center; }
-inline Vec3d middle_of(const ConeHull& h) { return (h.base + h.apex) * 0.5; }
-inline Vec3d middle_of(const TriangleHull& h) { return (h.a + h.b + h.c) * (1.0 / 3); }
-
 /// Calls f with the record's hull.
 template <typename F>
 auto with_hull(const Record& record, F&& f) {
@@ -80,7 +79,8 @@ auto with_hull(const Record& record, F&& f) {
 }
 
 /// Length within which hits of rays from p lie to the record's hull (intersect-inl.h, whose bounds
-/// this states: ulps of the farthest coordinate of the shape's box from p).
+/// this states: ulps of the farthest coordinate of the shape's box from p). NaN where any number is
+/// not finite.
 double hit_bound(const Record& record, Vec3f p);
 
 }  // namespace penumbra

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// Offsets against the judge: no sample that brute force calls blocked is ever proven free.
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+#include "penumbra/shadow/offset.h"
+#include "penumbra/shadow/t_max.h"
+#include "tests/shadow/trial.h"
+
+namespace penumbra {
+namespace {
+
+using nasty::Random;
+
+constexpr std::uint32_t sample_count = 16;
+
+/// What brute force says of one trial.
+struct Verdict {
+  bool is_blocked = false;
+  double s = 0;  ///< every blocked sample is blocked at some s not above
+};
+
+Verdict judge(const Kernel& kernel, const LightHull& hull, const LightSamples& samples) {
+  const std::uint32_t all = (1u << sample_count) - 1;
+  std::uint32_t blocked = 0;
+  kernel.occluded(samples, {&all, 1}, {&blocked, 1});
+  Verdict verdict{.is_blocked = blocked != 0};
+  for (std::uint32_t i = 0; i < sample_count; ++i) {
+    if (!(blocked >> i & 1)) continue;
+    const Vec3f way{samples.x[i], samples.y[i], samples.z[i]};
+    const auto hit = kernel.closest({samples.origin, way, 0, samples.t_max}).hit;
+    double s = hit ? double(hit->t) : HUGE_VAL;
+    // Suns: along their direction, over the reach.
+    if (hull.is_sun()) s *= dot(Vec3d(way), hull.center({})) / length_squared(hull.center({}));
+    verdict.s = std::max(verdict.s, s);
+  }
+  return verdict;
+}
+
+/// Whether the segment from p to the centre meets a box.
+bool meets(const Box& box, Vec3d p, Vec3d c) {
+  double first = 0, last = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double way = c[axis] - p[axis], a = box.lo[axis] - p[axis], b = box.hi[axis] - p[axis];
+    if (way == 0) {
+      if (a > 0 || b < 0) return false;
+      continue;
+    }
+    first = std::max(first, std::min(a / way, b / way));
+    last = std::min(last, std::max(a / way, b / way));
+  }
+  return first <= last;
+}
+
+struct Count {
+  std::uint64_t trials = 0, free = 0, proven = 0, reduced = 0;
+};
+
+Box around(Vec3f p, float by) { return {p - Vec3f{by, by, by}, p + Vec3f{by, by, by}}; }
+
+void run(const Kernel& kernel, const Record& record, const trial::Trial& trial,
+         const nasty::Place& place, Random& random, Count& count) {
+  static const SamplePattern pattern(sample_count);
+  const Box shape = bounds(record);
+  Box scene = shape;
+  scene.add(trial.p);
+  const LightHull hull(trial.light, scene);
+  LightSamples samples;
+  sample_light(trial.light, trial.p, pattern, random.below(1u << 31), samples);
+  const Verdict verdict = judge(kernel, hull, samples);
+  Box receivers =
+      around(trial.p, random.one_in(2) ? 0 : place.scale * makers::power(random, -3, 1));
+  if (random.one_in(4)) receivers.add(scene);
+  const double reduced = t_max(shape, hull, receivers);
+  ++count.trials;
+  count.reduced += reduced < 1;
+  const bool misses = surely_misses_offset(record, hull, trial.p, 1);
+  if (!verdict.is_blocked) {
+    ++count.free, count.proven += misses;
+    return;
+  }
+  ASSERT_FALSE(misses);
+  ASSERT_FALSE(surely_behind_horizon(record, hull, trial.p));
+  ASSERT_LE(verdict.s, reduced);
+  for (double t : {verdict.s, reduced, 1.0}) {
+    ASSERT_FALSE(surely_misses_offset(record, hull, trial.p, t)) << "t = " << t;
+    ASSERT_TRUE(
+        meets(offset_bounds(shape, hull, t, receivers), Vec3d(trial.p), hull.center(trial.p)));
+  }
+}
+
+Count run_pair(const makers::ShapeMaker& shape, const makers::LightMaker& light,
+               std::uint64_t trials, std::uint64_t first_seed) {
+  Count count;
+  for (std::uint64_t seed = first_seed; count.trials < trials; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    const nasty::Place place = nasty::random_place(random);
+    const ShapeSet shapes = shape.make(place, random);
+    const Kernel kernel(shapes, {KernelKind::brute, {}});
+    const Record record = make_record(shapes, all_primitives(shapes).front(), 0);
+    for (int i = 0; i < 64; ++i) {
+      run(kernel, record, trial::random_trial(shapes, kernel, place, light, random), place, random,
+          count);
+      if (testing::Test::HasFatalFailure()) return count;
+    }
+  }
+  return count;
+}
+
+class OffsetTrials : public testing::TestWithParam<std::tuple<std::size_t, std::size_t>> {
+ protected:
+  Count run(std::uint64_t trials, std::uint64_t first_seed) const {
+    const auto [shape, light] = GetParam();
+    return run_pair(makers::shapes()[shape], makers::lights()[light], trials, first_seed);
+  }
+};
+using SlowOffsetTrials = OffsetTrials;
+
+TEST_P(OffsetTrials, NoBlockedSampleIsProvenFree) {
+  const Count count = run(12'000, 0);
+  EXPECT_GT(count.free, count.trials / 4);
+  EXPECT_LT(count.free, count.trials * 19 / 20);
+  EXPECT_GT(count.proven, count.free / 3);
+  EXPECT_GT(count.reduced, count.trials / 2);
+}
+
+TEST_P(SlowOffsetTrials, NoBlockedSampleIsProvenFree) { run(1'000'000, 1'000'000); }
+
+std::string name_of(const testing::TestParamInfo<std::tuple<std::size_t, std::size_t>>& info) {
+  const auto [shape, light] = info.param;
+  return std::string(makers::shapes()[shape].name) + makers::lights()[light].name;
+}
+
+const auto every_pair = testing::Combine(testing::Range(std::size_t{0}, makers::shapes().size()),
+                                         testing::Range(std::size_t{0}, makers::lights().size()));
+INSTANTIATE_TEST_SUITE_P(EachPair, OffsetTrials, every_pair, name_of);
+INSTANTIATE_TEST_SUITE_P(EachPair, SlowOffsetTrials, every_pair, name_of);
+
+}  // namespace
+}  // namespace penumbra
