@@ -35,7 +35,7 @@ struct ConvexPolyhedron {
 
 /// Half-spaces that bound nothing are left out. Every edge is longer than 1e-8 of the result's size
 /// and found alike on its two faces, so that faces and edges fit together as those of an exact
-/// polyhedron do. Empty where that fails, as it does where four planes meet in a point; where an
+/// polyhedron do. Empty where that fails, as it may where four planes meet in a point; where an
 /// offset is not positive; where the half-spaces leave a point at `bound` or beyond; and where the
 /// result is 10^4 times longer than thick. Cost: O(n²).
 ConvexPolyhedron intersection(std::span<const HalfSpace> half_spaces, double bound);

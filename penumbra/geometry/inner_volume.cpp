@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "penumbra/geometry/sample_pattern.h"
@@ -127,17 +128,17 @@ Vec3d roomier_center(const TriangleTree& triangles, Vec3d p, double at_most) {
   return p;
 }
 
-InnerVolume inner_volume(const TriangleTree& triangles, Vec3d center, const Box& box) {
-  InnerVolume volume{center, 0, {}};
+std::optional<InnerVolume> inner_volume(const TriangleTree& triangles, Vec3d center,
+                                        const Box& box) {
   const Vec3d room = min(center - Vec3d(box.lo), Vec3d(box.hi) - center);
-  volume.radius = clearance(triangles, center, std::min({room.x, room.y, room.z}), 0);
-  if (!(volume.radius > 0)) return volume;
+  const double radius = clearance(triangles, center, std::min({room.x, room.y, room.z}), 0);
+  if (!(radius > 0)) return {};
   // The finer planes are, the more of them a curved surface takes.
-  for (const double inward : {0.01, 0.1}) {
-    volume.body = inflated(triangles, center, volume.radius, box, inward);
-    if (!volume.body.is_empty()) break;
+  for (const double inward : {0.01, 0.05, 0.2}) {
+    ConvexPolyhedron body = inflated(triangles, center, radius, box, inward);
+    if (!body.is_empty()) return InnerVolume{center, radius, std::move(body)};
   }
-  return volume;
+  return {};
 }
 
 }  // namespace penumbra

@@ -2,17 +2,19 @@
 // Convex volumes between triangles: what a solid surely has inside.
 #pragma once
 
+#include <optional>
+
 #include "penumbra/geometry/convex_polyhedron.h"
 #include "penumbra/geometry/triangle_tree.h"
 #include "penumbra/geometry/vec.h"
 
 namespace penumbra {
 
-/// No triangle comes nearer to the centre than `radius`, and none reaches into the polyhedron.
+/// No triangle reaches into the polyhedron.
 struct InnerVolume {
   Vec3d center;
-  double radius = 0;
-  ConvexPolyhedron body;  ///< around the centre; empty if there is only the ball
+  double radius = 0;      ///< none comes nearer to the centre than this: a lower bound
+  ConvexPolyhedron body;  ///< around the centre
 };
 
 /// The largest ball around the centre that no triangle reaches into: a lower bound of its radius,
@@ -23,14 +25,15 @@ double clearance(const TriangleTree& triangles, Vec3d center, double at_most, do
 /// more room around it: climbs to where the distance to the triangles is about largest.
 Vec3d roomier_center(const TriangleTree& triangles, Vec3d p, double at_most);
 
-/// Ball and polyhedron around a centre, both within `box`. The polyhedron is cut out by one plane
-/// for each triangle, the nearest first, that the planes before have left: the triangle's own where
-/// that spares the ball, else the one across the way to its nearest point. Each plane stands a
-/// little inside of the triangle, so that it serves for its neighbours, too. A convex surface gives
-/// its own planes. No polyhedron where that takes more than 48 planes.
-/// Source: the idea of growing a convex region of free space plane by plane is that of Deits,
-/// Tedrake, Computing Large Convex Regions of Obstacle-Free Space (2014), with a ball in place of
-/// their ellipsoid.
-InnerVolume inner_volume(const TriangleTree& triangles, Vec3d center, const Box& box);
+/// The polyhedron around a centre, within `box`, that is cut out by one plane for each triangle,
+/// the nearest first, which the planes before have left: the triangle's own where that spares the
+/// largest ball, else the one across the way to its nearest point. Each plane stands a little
+/// inside of its triangle, so that it serves for the neighbours, too. A convex surface gives its
+/// own planes. Nothing where that takes more than 48 planes or the result is too thin (see
+/// `convex_polyhedron.h`). The idea of growing a region of free space plane by plane is that of R.
+/// Deits, R. Tedrake, Computing Large Convex Regions of Obstacle-Free Space through Semidefinite
+/// Programming (2014), with a ball in place of their ellipsoid.
+std::optional<InnerVolume> inner_volume(const TriangleTree& triangles, Vec3d center,
+                                        const Box& box);
 
 }  // namespace penumbra

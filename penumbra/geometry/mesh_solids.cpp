@@ -4,18 +4,23 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 #include "penumbra/geometry/surface_parity.h"
+#include "penumbra/geometry/volume_choice.h"
 
 namespace penumbra {
 namespace {
 
 constexpr double most_lines = 32, fewest_lines = 5;
 constexpr double line_budget = 4 * most_lines * most_lines * most_lines;
-constexpr double ranking_slack = 0.1;  // seeds need not be ranked exactly
-constexpr double thinnest = 1e-4;      // of a solid's size: less room is none
-constexpr double smallest = 0.03;      // of the radius of a solid's largest volume
+constexpr double ranking_slack = 0.1;     // seeds need not be ranked exactly
+constexpr double thinnest = 1e-4;         // of a solid's size: less room is none
+constexpr std::size_t grown_for_one = 2;  // volumes grow and the most useful of them stay
+constexpr double least_use = 4e-4;        // share of a solid's seeds that a volume must add
+constexpr double smallest = 0.03;         // of the radius of a solid's largest volume
 
 double size_of(const Box& box) { return length(Vec3d(box.hi) - Vec3d(box.lo)); }
 
@@ -62,16 +67,17 @@ bool holds(const InnerVolume& volume, Vec3d p) {
 
 /// Adds the volume that grows from a seed, unless the solid has that place already.
 void grow(const Seed& seed, const TriangleTree& tree, MeshSolid& solid) {
-  const auto has = [&](Vec3d p) {
-    return std::any_of(solid.volumes.begin(), solid.volumes.end(),
-                       [&](const InnerVolume& volume) { return holds(volume, p); });
-  };
-  if (has(seed.point)) return;
-  const Vec3d center = roomier_center(tree, seed.point, size_of(solid.surface.box));
-  solid.volumes.push_back(inner_volume(tree, center, solid.surface.box));
-  // Where the climb has led into a volume that is there, the place itself is still free.
-  if (!holds(solid.volumes.back(), seed.point))
-    solid.volumes.push_back(inner_volume(tree, seed.point, solid.surface.box));
+  std::vector<InnerVolume>& volumes = solid.volumes;
+  const auto holds_seed = [&](const InnerVolume& volume) { return holds(volume, seed.point); };
+  if (std::any_of(volumes.begin(), volumes.end(), holds_seed)) return;
+  const Box& box = solid.surface.box;
+  const Vec3d center = roomier_center(tree, seed.point, size_of(box));
+  std::optional<InnerVolume> volume = inner_volume(tree, center, box);
+  const bool is_held = volume && holds_seed(*volume);
+  if (volume) volumes.push_back(*std::move(volume));
+  if (is_held) return;
+  // The climb has led away: the place itself is still free.
+  if ((volume = inner_volume(tree, seed.point, box))) volumes.push_back(*std::move(volume));
 }
 
 void keep_largest(std::vector<ClosedSurface>& surfaces, std::size_t most) {
@@ -80,6 +86,44 @@ void keep_largest(std::vector<ClosedSurface>& surfaces, std::size_t most) {
                      return size_of(a.box) > size_of(b.box);
                    });
   if (surfaces.size() > most) surfaces.resize(most);
+}
+
+/// More volumes than are wanted, from the roomiest seeds on.
+void grow_all(std::span<const Seed> seeds, std::span<const TriangleTree> trees, std::size_t most,
+              std::span<MeshSolid> solids) {
+  std::size_t grown = 0;
+  for (const Seed& seed : seeds) {
+    MeshSolid& solid = solids[seed.solid];
+    const std::size_t before = solid.volumes.size();
+    if (before > 0 && (grown >= most || seed.room < smallest * solid.volumes.front().radius))
+      continue;
+    grow(seed, trees[seed.solid], solid);
+    if (before > 0) grown += solid.volumes.size() - before;
+  }
+}
+
+/// Keeps the volumes that hold the most seeds. A solid weighs as much as its surface.
+void keep_most_useful(std::span<const Seed> seeds, std::size_t most, std::span<MeshSolid> solids) {
+  std::vector<detail::Group> groups(solids.size());
+  std::vector<detail::PointSet> sets;
+  std::vector<std::vector<Vec3d>> points(solids.size());
+  for (const Seed& seed : seeds) points[seed.solid].push_back(seed.point);
+  for (std::uint32_t i = 0; i < solids.size(); ++i) {
+    const double size = size_of(solids[i].surface.box);
+    groups[i] = {points[i].size(), size * size};
+    for (const InnerVolume& volume : solids[i].volumes) {
+      sets.push_back({std::vector<std::uint64_t>((points[i].size() + 63) / 64, 0), i});
+      for (std::size_t k = 0; k < points[i].size(); ++k)
+        if (holds(volume, points[i][k])) sets.back().bits[k / 64] |= std::uint64_t{1} << k % 64;
+    }
+  }
+  std::vector<InnerVolume> all;
+  for (MeshSolid& solid : solids) {
+    std::move(solid.volumes.begin(), solid.volumes.end(), std::back_inserter(all));
+    solid.volumes.clear();
+  }
+  for (const std::uint32_t i : detail::most_useful(sets, groups, most, least_use))
+    solids[sets[i].group].volumes.push_back(std::move(all[i]));
 }
 
 }  // namespace
@@ -100,16 +144,8 @@ std::vector<MeshSolid> mesh_solids(std::span<const Mesh> meshes,
   }
   std::stable_sort(seeds.begin(), seeds.end(),
                    [](const Seed& a, const Seed& b) { return a.room > b.room; });
-  std::size_t grown = 0;
-  for (const Seed& seed : seeds) {
-    MeshSolid& solid = solids[seed.solid];
-    const std::size_t before = solid.volumes.size();
-    if (before > 0 &&
-        (grown >= options.most_volumes || seed.room < smallest * solid.volumes.front().radius))
-      continue;
-    grow(seed, trees[seed.solid], solid);
-    if (before > 0) grown += solid.volumes.size() - before;
-  }
+  grow_all(seeds, trees, grown_for_one * options.most_volumes, solids);
+  keep_most_useful(seeds, options.most_volumes, solids);
   std::erase_if(solids, [](const MeshSolid& solid) { return solid.volumes.empty(); });
   return solids;
 }

@@ -2,6 +2,7 @@
 #include "penumbra/shadow/body_cover.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace penumbra {
@@ -22,21 +23,33 @@ struct View {
   }
 };
 
-/// Whether the segment from p to c has a point in the polyhedron: most volumes fail here.
-bool center_line_meets(const View& view) {
+constexpr std::size_t most_faces = 64;
+
+/// Faces that p sees, as bits, if the segment from p to c has a point in the polyhedron: most
+/// volumes fail here.
+struct Sighting {
+  std::uint64_t seen = 0;
+  bool is_met = false;
+};
+
+Sighting center_line(const View& view) {
+  Sighting result;
   double from = 0, to = 1;
-  for (const HalfSpace& face : view.body.faces) {
+  for (std::size_t i = 0; i < view.body.faces.size(); ++i) {
+    const HalfSpace& face = view.body.faces[i];
     const double at_p = dot(face.normal, view.p) - face.offset;
     const double at_c = dot(face.normal, view.c) - face.offset;
-    if (at_p > 0 && at_c > 0) return false;
-    if (at_p > 0) from = std::max(from, at_p / (at_p - at_c));
-    if (at_c > 0) to = std::min(to, at_p / (at_p - at_c));
+    if (at_p > 0) {
+      if (at_c > 0) return result;
+      result.seen |= std::uint64_t{1} << i;
+      from = std::max(from, at_p / (at_p - at_c));
+    } else if (at_c > 0) {
+      to = std::min(to, at_p / (at_p - at_c));
+    }
+    if (!(from <= to)) return result;
   }
-  return from <= to;
-}
-
-bool sees(const View& view, std::uint32_t face) {
-  return dot(view.body.faces[face].normal, view.p) > view.body.faces[face].offset;
+  result.is_met = true;
+  return result;
 }
 
 /// Whether the light lies on the polyhedron's side of the plane through p and an edge of the
@@ -55,7 +68,7 @@ bool is_behind(const View& view, const ConvexPolyhedron::Edge& edge) {
 bool body_covers(const ConvexPolyhedron& body, Vec3d center, const LightShaft& shaft, double margin,
                  double doubt) {
   const double share = margin / body.inner;
-  if (body.is_empty() || !(share < 0.5)) return false;
+  if (body.is_empty() || body.faces.size() > most_faces || !(share < 0.5)) return false;
   const double scale = 1 / (1 - share);
   View view{body,
             shaft.light,
@@ -65,14 +78,24 @@ bool body_covers(const ConvexPolyhedron& body, Vec3d center, const LightShaft& s
             doubt * scale,
             0};
   view.far = length(view.p) + length(view.c) + scale * shaft.light.size() + view.doubt + body.outer;
-  if (!center_line_meets(view)) return false;
-  for (const HalfSpace& face : body.faces)
-    if (dot(face.normal, view.p) > face.offset && !(view.most(face.normal) < face.offset))
-      return false;
+  const Sighting sighting = center_line(view);
+  if (!sighting.is_met) return false;
+  const auto sees = [&](std::uint32_t face) { return sighting.seen >> face & 1; };
   for (const ConvexPolyhedron::Edge& edge : body.edges)
-    if (sees(view, edge.face[0]) != sees(view, edge.face[1]) && !is_behind(view, edge))
-      return false;
+    if (sees(edge.face[0]) != sees(edge.face[1]) && !is_behind(view, edge)) return false;
+  for (std::uint32_t i = 0; i < body.faces.size(); ++i)
+    if (sees(i) && !(view.most(body.faces[i].normal) < body.faces[i].offset)) return false;
   return true;
+}
+
+ShaftWidth::ShaftWidth(const LightShaft& shaft) : p(shaft.p) {
+  const Vec3d way = shaft.c - shaft.p;
+  const double square = length_squared(way);
+  length = std::sqrt(square);
+  axis = way / square;
+  const Frame<double> frame = frame_around(way / length);
+  out = {frame.u, -frame.u, frame.v, -frame.v};
+  for (std::size_t i = 0; i < out.size(); ++i) reach[i] = dot(out[i], shaft.light.spread(out[i]));
 }
 
 }  // namespace penumbra

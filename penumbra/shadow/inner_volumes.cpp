@@ -51,8 +51,8 @@ bool misses(const LightShaft& shaft, const Hull& hull, Vec3d middle, double marg
 }  // namespace
 
 InnerVolumes::InnerVolumes(const ShapeSet& shapes, const std::vector<bool>& casts_no_shadow,
-                           std::span<const LightHull> lights) {
-  for (MeshSolid& solid : mesh_solids(shapes.meshes, casts_no_shadow, {}))
+                           std::span<const LightHull> lights, const MeshSolidOptions& options) {
+  for (MeshSolid& solid : mesh_solids(shapes.meshes, casts_no_shadow, options))
     add(std::move(solid), lights);
   std::vector<Box> boxes;
   for (const Volume& volume : volumes_) boxes.push_back(box_of(volume.inner));
@@ -73,17 +73,25 @@ void InnerVolumes::add(MeshSolid from, std::span<const LightHull> lights) {
     rest = rest.subspan(group.size());
   }
   for (InnerVolume& volume : from.volumes)
-    if (!volume.body.is_empty())
-      volumes_.push_back({std::move(volume), static_cast<std::uint32_t>(solids_.size())});
+    volumes_.push_back({std::move(volume), static_cast<std::uint32_t>(solids_.size())});
   solids_.push_back(std::move(solid));
 }
 
-bool InnerVolumes::covers(const Volume& volume, std::uint32_t light, const LightShaft& shaft,
-                          double doubt) const {
+struct InnerVolumes::Query {
+  std::uint32_t light;
+  LightShaft shaft;
+  ShaftWidth width;
+  double doubt;
+};
+
+bool InnerVolumes::covers(const Volume& volume, const Query& query) const {
+  if (!query.width.may_fit(volume.inner.center, volume.inner.body.outer)) return false;
+  const LightShaft& shaft = query.shaft;
+  const double doubt = query.doubt;
   const Solid& solid = solids_[volume.solid];
   const double reach = reach_of(solid.box, shaft.p), margin = hit_margin * reach;
   if (!is_in_range(reach, shaft)) return false;
-  if (!(solid.clearance[light] > margin + doubt)) return false;
+  if (!(solid.clearance[query.light] > margin + doubt)) return false;
   // A sun's disk stands beyond the solid.
   if (shaft.light.is_sun() && !(2 * reach < length(shaft.c - shaft.p))) return false;
   if (!body_covers(volume.inner.body, volume.inner.center, shaft, margin, doubt)) return false;
@@ -100,10 +108,10 @@ VolumeAnswer InnerVolumes::covering(std::uint32_t light, const LightHull& hull, 
                                     std::uint32_t first) const {
   VolumeAnswer answer;
   const LightShaft shaft(hull, p);
-  const double doubt = hull.doubt(p);
+  const Query query{light, shaft, ShaftWidth(shaft), hull.doubt(p)};
   const auto proves = [&](std::uint32_t i) {
     ++answer.tests;
-    if (!covers(volumes_[i], light, shaft, doubt)) return false;
+    if (!covers(volumes_[i], query)) return false;
     answer.volume = i;
     return true;
   };

@@ -37,7 +37,7 @@ class InnerVolumes {
   /// Of the meshes' triangles that cast shadows (`casts_no_shadow` by surface, as in
   /// KernelOptions). Cost: as `mesh_solids`, and linear in the triangles for each light.
   InnerVolumes(const ShapeSet& shapes, const std::vector<bool>& casts_no_shadow,
-               std::span<const LightHull> lights);
+               std::span<const LightHull> lights, const MeshSolidOptions& options = {});
 
   /// A volume is found only if every sample of the light (the `light`-th, whose hull this is) is
   /// blocked as seen from p: proven, with the intersector's errors. Which one it is depends on
@@ -65,8 +65,8 @@ class InnerVolumes {
     std::uint32_t solid;
   };
   void add(MeshSolid solid, std::span<const LightHull> lights);
-  bool covers(const Volume& volume, std::uint32_t light, const LightShaft& shaft,
-              double doubt) const;
+  struct Query;
+  bool covers(const Volume& volume, const Query& query) const;
 
   std::vector<Solid> solids_;
   std::vector<Volume> volumes_;  // in the order of the hierarchy

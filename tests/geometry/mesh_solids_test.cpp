@@ -18,7 +18,7 @@ namespace {
 using namespace solid_meshes;
 
 std::vector<MeshSolid> solids_of(const Mesh& mesh) {
-  return mesh_solids(std::vector<Mesh>{mesh}, {}, {});
+  return mesh_solids(std::vector<Mesh>{mesh}, {}, {.most_volumes = 30});
 }
 
 class Random {
@@ -59,7 +59,7 @@ bool is_crossed(const ClosedSurface& surface, Vec3d from, Vec3d to) {
 
 /// A random point of the ball or the polyhedron.
 Vec3d point_in(const InnerVolume& volume, Random& random) {
-  if (volume.body.is_empty() || random.uniform(0, 1) < 0.3)
+  if (random.uniform(0, 1) < 0.3)
     return volume.center + random.direction() * (volume.radius * random.uniform(0, 1));
   const Vec3d d = random.direction();
   double reach = volume.body.outer;

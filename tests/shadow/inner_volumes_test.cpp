@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -34,7 +35,7 @@ struct Trial {
         kernel(shapes, {}),
         light(std::move(l)),
         hull(light, grown(kernel.bounds())),
-        volumes(shapes, {}, std::vector<LightHull>{hull}) {}
+        volumes(shapes, {}, std::vector<LightHull>{hull}, {.most_volumes = 16}) {}
 
   static Box grown(const Box& box) {
     const Vec3f pad = box.size() * 0.5f;
@@ -168,9 +169,74 @@ Tally run_trials(std::uint64_t seed, std::uint32_t trials, std::uint32_t queries
 }
 
 TEST(InnerVolumes, NoProofWhereASampleIsFree) {
-  const Tally tally = run_trials(1, 100, 1000);
+  const Tally tally = run_trials(1, 60, 800);
   EXPECT_GT(tally.proofs, tally.queries / 20);
   EXPECT_GT(tally.edges, tally.queries / 50);
+}
+
+TEST(InnerVolumes, WhichIsTriedFirstDoesNotMatter) {
+  Random random(3);
+  const Trial trial({{}, {}, {}, {globe(20, 0.3)}}, BallLight{{0, 0, 8}, 0.5f});
+  ASSERT_GT(trial.volumes.size(), 3u);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3f p = random_receiver(trial, random);
+    const auto first = random.below(static_cast<std::uint32_t>(trial.volumes.size()));
+    const VolumeAnswer answer = trial.volumes.covering(0, trial.hull, p, first);
+    EXPECT_EQ(answer.volume != no_volume, trial.is_umbra(p));
+    EXPECT_LE(answer.tests, trial.volumes.size());
+  }
+}
+
+TEST(InnerVolumes, ABoxHidesWhateverItsShadowHolds) {
+  // As wide as the box, the light leaves it an umbra as wide.
+  const Trial trial({{}, {}, {}, {placed(box(), 1, {0, 0, 2})}},
+                    ParallelogramLight{{0, 0, 10}, {1, 0, 0}, {0, 1, 0}});
+  for (const float z : {0.9f, 0.0f, -5.0f}) {
+    for (const float x : {0.0f, 0.9f, 0.97f}) EXPECT_TRUE(trial.is_umbra({x, x, z})) << x << z;
+    EXPECT_FALSE(trial.is_umbra({1.05f, 0, z}));
+  }
+}
+
+TEST(InnerVolumes, LightsInsideOrTouchingProveNothing) {
+  const Mesh room = placed(box(), 10, {});
+  for (const LightShape& light :
+       {LightShape(BallLight{{0, 0, 5}, 0.5f}), LightShape(BallLight{{0, 0, 10}, 0.5f}),
+        LightShape(BallLight{{0, 0, 10.5f}, 0.5f}), LightShape(BallLight{{0, 0, 0}, 100}),
+        LightShape(ParallelogramLight{{0, 0, 12}, {0, 0, 2}, {1, 0, 0}})}) {
+    const Trial trial({{}, {}, {}, {room}}, light);
+    for (const Vec3f p : {Vec3f{0, 0, -9}, Vec3f{1, 2, 3}, Vec3f{0, 0, -20}})
+      EXPECT_FALSE(trial.is_umbra(p));
+  }
+  const Trial outside({{}, {}, {}, {room}}, BallLight{{0, 0, 11}, 0.5f});
+  EXPECT_TRUE(outside.is_umbra({0, 0, -20}));
+  EXPECT_TRUE(outside.is_umbra({1, 2, 3}));  // enclosed itself
+}
+
+TEST(InnerVolumes, AShaftThroughAHoleProvesNothing) {
+  Mesh open = box();
+  std::erase_if(open.triangles, [&](const Triangle& t) {  // the side at z = 1
+    return open.positions[t[0]].z + open.positions[t[1]].z + open.positions[t[2]].z == 3;
+  });
+  ASSERT_EQ(open.triangles.size(), 10u);
+  const Trial above({{}, {}, {}, {open}}, BallLight{{0, 0, 5}, 0.1f});
+  EXPECT_FALSE(above.is_umbra({0, 0, -3}));  // blocked by the bottom alone
+  EXPECT_FALSE(above.is_umbra({0, 0, 0}));
+  const Trial beside({{}, {}, {}, {open}}, BallLight{{5, 0, 0}, 0.1f});
+  EXPECT_TRUE(beside.is_umbra({-3, 0, 0}));
+  EXPECT_TRUE(beside.is_umbra({0, 0, 0}));
+  EXPECT_FALSE(beside.is_umbra({-3, 0, 1.3f}));
+}
+
+TEST(InnerVolumes, WhatIsNoNumberIsNotProven) {
+  const Trial trial({{}, {}, {}, {box()}}, BallLight{{0, 0, 5}, 0.1f});
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float inf = std::numeric_limits<float>::infinity();
+  for (const Vec3f p : {Vec3f{nan, 0, -3}, Vec3f{nan, nan, nan}, Vec3f{0, 0, -inf},
+                        Vec3f{0, 0, inf}, Vec3f{0, 0, -1e20f}})
+    EXPECT_FALSE(trial.is_umbra(p));
+  EXPECT_TRUE(trial.is_umbra({0, 0, -3}));
+  const ShapeSet nothing{{{{0, 0, 0}, 1, 0}}, {}, {}, {}};
+  EXPECT_EQ(InnerVolumes(nothing, {}, {}, {}).size(), 0u);
 }
 
 TEST(SlowInnerVolumes, NoProofWhereASampleIsFreeInTwoMillionTrials) {
