@@ -78,33 +78,39 @@ bool holds_section(const Solid& solid, Vec3d p, Vec3d way, double growth, double
   return solid.depth(p + way * s) - s * growth > margin;
 }
 
-/// Every ray passes deeply through the solid: by the cross-section of a ball light at one s; for
-/// other lights each corner's segment by itself, since what the solid hides from p is convex.
-/// Exact but for the margin.
+/// Whether the cross-section of a ball that holds the light does so, for one s.
 template <typename Solid>
-bool hides_by_sections(const Solid& solid, const Sight& sight) {
-  const Vec3d p = sight.shaft.p;
-  if (sight.shaft.light.is_ball())
-    return holds_section(solid, p, sight.to_center(), sight.shaft.light.size() + sight.doubt,
-                         sight.margin);
-  return holds_section(solid, p, sight.to_center(), sight.doubt, sight.margin) &&
-         holds_for_outline(sight.shaft, [&](Vec3d way) {
-           return holds_section(solid, p, way, sight.doubt, sight.margin);
-         });
+bool hides_ball_around_light(const Solid& solid, const Sight& sight) {
+  return holds_section(solid, sight.shaft.p, sight.to_center(),
+                       sight.shaft.light.size() + sight.doubt, sight.margin);
 }
 
-/// The same for cones. Near their caps no ball fits where the rays still all pass, and ball lights
-/// too go by their outline; near the side it would do no better.
-bool cone_hides(const ConeSolid& cone, const Sight& sight) {
-  if (hides_by_sections(cone, sight)) return true;
-  if (!sight.shaft.light.is_ball()) return false;
-  const Vec3d p = sight.shaft.p, way = sight.to_center();
-  const double growth = sight.shaft.light.size() + sight.doubt;
-  if (!holds_section(cone, p, way, sight.doubt, sight.margin)) return false;
-  if (common(cone.side_chord(p, way, growth, sight.margin), {0, 1}).is_empty()) return false;
-  return holds_for_outline(sight.shaft, [&](Vec3d to_corner) {
-    return holds_section(cone, p, to_corner, sight.doubt, sight.margin);
+/// Whether every ray passes deeply through the solid, each of the light's corners by itself: what
+/// the solid hides from p is convex. Exact but for the margin and the outlines of balls.
+template <typename Solid>
+bool hides_outline(const Solid& solid, const Sight& sight) {
+  return holds_for_outline(sight.shaft, [&](Vec3d way) {
+    return holds_section(solid, sight.shaft.p, way, sight.doubt, sight.margin);
   });
+}
+
+/// For balls the one cross-section is exact.
+bool hides(const Ball& ball, const Sight& sight) {
+  return hides_ball_around_light(ball, sight) ||
+         (!sight.shaft.light.is_ball() && hides_outline(ball, sight));
+}
+
+/// Cones need the outline of ball lights near their caps, where no ball fits but all rays pass;
+/// where it is their side that a ball doesn't fit into, the outline wouldn't either.
+bool hides(const ConeSolid& cone, const Sight& sight) {
+  const Vec3d p = sight.shaft.p, way = sight.to_center();
+  if (!holds_section(cone, p, way, sight.doubt, sight.margin)) return false;
+  if (hides_ball_around_light(cone, sight)) return true;
+  const double growth = sight.shaft.light.size() + sight.doubt;
+  if (sight.shaft.light.is_ball() &&
+      common(cone.side_chord(p, way, growth, sight.margin), {0, 1}).is_empty())
+    return false;
+  return hides_outline(cone, sight);
 }
 
 /// L.
@@ -135,17 +141,17 @@ bool side_is_crossed(const ConeSolid& cone, const Sight& sight) {
 }  // namespace
 
 bool ball_hides(Vec3d center, double radius, const Sight& sight) {
-  return hides_by_sections(Ball{center, radius}, sight);
+  return hides(Ball{center, radius}, sight);
 }
 
 bool sphere_covers(const Record& record, const Sight& sight) {
   const Ball ball{Vec3d(record.vector(0)), record.number[3]};
-  return hides_by_sections(ball, sight) && light_is_outside(ball, ball.center, sight);
+  return hides(ball, sight) && light_is_outside(ball, ball.center, sight);
 }
 
 bool cone_covers(const Record& record, const Sight& sight) {
   const ConeSolid cone = solid_of(record);
-  if (!(std::abs(cone.slope) <= 4) || !cone_hides(cone, sight)) return false;
+  if (!(std::abs(cone.slope) <= 4) || !hides(cone, sight)) return false;
   if (!light_is_outside(cone, cone.base + cone.axis * (cone.height / 2), sight)) return false;
   return record.is_capped || side_is_crossed(cone, sight);
 }

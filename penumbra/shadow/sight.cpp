@@ -22,12 +22,26 @@ std::array<Turn, 16> make_turns() {
   return turns;
 }
 
+/// Not below the largest distance along an axis from p to the record's box, whose corners are
+/// rounded to float.
+double reach_of(const Record& record, Vec3d p) {
+  const Vec3d first(record.vector(0));
+  const double to_first = max_abs(first - p), rounding = 0x1p-22 * max_abs(first);
+  switch (record.kind) {
+    case ShapeKind::sphere: return to_first + rounding + record.number[3];
+    case ShapeKind::cone:
+      return to_first + rounding + record.number[6] + std::max(record.number[7], record.number[8]);
+    case ShapeKind::ring: return to_first + rounding + record.number[6];
+    case ShapeKind::triangle: break;
+  }
+  return std::max(
+      {to_first, max_abs(Vec3d(record.vector(3)) - p), max_abs(Vec3d(record.vector(6)) - p)});
+}
+
 }  // namespace
 
 double intersector_margin(const Record& record, const LightHull& light, Vec3f p) {
-  const Box box = bounds(record);
-  const double reach =
-      std::max(max_abs(Vec3d(box.lo) - Vec3d(p)), max_abs(Vec3d(box.hi) - Vec3d(p)));
+  const double reach = reach_of(record, Vec3d(p));
   const double distance = length(light.center(p) - Vec3d(p)) + light.size();
   // The intersector multiplies three lengths, and divides a chord by the ray's length. NaN fails.
   const bool is_in_range =

@@ -311,5 +311,45 @@ TEST(Cover, NoSampleIsFreeWhereCoverIsProven) { try_every_pair(2'000, 100, false
 
 TEST(SlowCover, NoSampleIsFreeWhereCoverIsProven) { try_every_pair(400'000, 1000, true); }
 
+/// Of the triples whose 256 samples are all blocked, which share is proven: one occluder about as
+/// large as the light's shaft, one to ten times its extent from p and from the light.
+struct Tightness {
+  std::uint64_t blocked = 0, proven = 0;
+  double share() const { return static_cast<double>(proven) / static_cast<double>(blocked); }
+};
+
+Tightness tightness(const OccluderKind& occluder_kind, const LightKind& light_kind,
+                    std::uint64_t count, std::uint64_t seed) {
+  Random random(seed);
+  const SamplePattern pattern(256);
+  Tightness result;
+  while (result.blocked < count) {
+    const Occluder occluder = trials::make_occluder(occluder_kind, {}, random);
+    const Vec3d way = trials::some_direction(random);
+    const double extent = length(Vec3d(bounds(occluder.shapes).size()));
+    const auto distance = [&] { return extent * std::pow(10.0, random.uniform(0, 1)); };
+    const double before = distance(), behind = distance();
+    const Vec3f p(occluder.aim - way * before);
+    const double size =
+        occluder.size * (1 + behind / before) * std::pow(10.0, random.uniform(-2, 0));
+    const LightShape light =
+        light_kind.make(occluder.aim + way * behind, size, p, Random(random.below(1u << 30)));
+    if (!is_usable(light, p) || contains(light, p)) continue;
+    if (trials::free_rays(record_of(occluder.shapes), light, p, pattern, 0, random) > 0) continue;
+    ++result.blocked;
+    result.proven += covers(occluder.shapes, light, p);
+  }
+  return result;
+}
+
+TEST(SlowCover, ProvesNearlyAllUmbraOfOneOccluder) {
+  for (const OccluderKind& occluder : trials::occluder_kinds)
+    for (const LightKind& light : trials::light_kinds) {
+      const Tightness result = tightness(occluder, light, 20'000, 200);
+      EXPECT_GT(result.share(), 0.7) << occluder.name << ", " << light.name;
+      std::printf("%-16s %-14s %.4f\n", occluder.name, light.name, result.share());
+    }
+}
+
 }  // namespace
 }  // namespace penumbra
