@@ -191,7 +191,7 @@ TEST(Visibility, HardTracesOneRayToTheCentre) {
 TEST(Visibility, TheCacheDecidesWhatItsOccludersBlockAndIsEmptiedByMisses) {
   ShapeSet shapes;
   shapes.spheres.push_back({{0, 0, 2}, 1.5f, 0});
-  Lit lit(shapes, BallLight{{0, 0, 4}, 1}, 32);
+  Lit lit(shapes, BallLight{{0, 0, 40}, 1}, 32);
   lit.see(up);
   EXPECT_EQ(lit.counters.rays, 32u);
   lit.see(up);
