@@ -9,6 +9,7 @@
 #include <numbers>
 #include <variant>
 
+#include "penumbra/geometry/closed_surface.h"
 #include "penumbra/geometry/mesh.h"
 
 namespace penumbra {
@@ -23,6 +24,8 @@ MeshFacts mesh_facts(const Mesh& mesh) {
   facts.triangles = mesh.triangles.size();
   facts.closed_components =
       static_cast<std::size_t>(std::count(shape.is_closed.begin(), shape.is_closed.end(), true));
+  for (const std::uint32_t component : shape.component)
+    facts.closed_triangles += shape.is_closed[component];
   facts.open_components = shape.is_closed.size() - facts.closed_components;
   facts.boundary_edges = shape.boundary_edges;
   facts.nonmanifold_edges = shape.nonmanifold_edges;
@@ -31,11 +34,26 @@ MeshFacts mesh_facts(const Mesh& mesh) {
   return facts;
 }
 
+SolidFacts solid_facts(const Scene& scene) {
+  std::vector<bool> casts_no_shadow;
+  for (const Material& material : scene.materials)
+    casts_no_shadow.push_back(!material.casts_shadow);
+  SolidFacts facts;
+  for (const ClosedSurface& surface : closed_surfaces(scene.shapes.meshes, casts_no_shadow)) {
+    ++(surface.fills().empty() ? facts.closed : facts.filled);
+    facts.fills += surface.fills().size();
+    facts.triangles += surface.first_fill;
+    facts.largest = std::max(facts.largest, surface.first_fill);
+  }
+  return facts;
+}
+
 void add(MeshFacts& sum, const MeshFacts& mesh) {
   sum.vertices += mesh.vertices;
   sum.triangles += mesh.triangles;
   sum.closed_components += mesh.closed_components;
   sum.open_components += mesh.open_components;
+  sum.closed_triangles += mesh.closed_triangles;
   sum.boundary_edges += mesh.boundary_edges;
   sum.nonmanifold_edges += mesh.nonmanifold_edges;
 }
@@ -126,16 +144,18 @@ struct LightJson {
 
 std::string mesh_line(const MeshFacts& mesh) {
   return fmt::format(
-      "{} triangles, {} vertices; components: {} closed, {} open; edges: {} on a "
-      "boundary, {} non-manifold",
-      mesh.triangles, mesh.vertices, mesh.closed_components, mesh.open_components,
-      mesh.boundary_edges, mesh.nonmanifold_edges);
+      "{} triangles, {} vertices; components: {} closed (of {} triangles), {} open (of {}); edges: "
+      "{} on a boundary, {} non-manifold",
+      mesh.triangles, mesh.vertices, mesh.closed_components, mesh.closed_triangles,
+      mesh.open_components, mesh.triangles - mesh.closed_triangles, mesh.boundary_edges,
+      mesh.nonmanifold_edges);
 }
 
 Json mesh_json(const MeshFacts& mesh) {
   return {{"triangles", mesh.triangles},
           {"vertices", mesh.vertices},
           {"closed_components", mesh.closed_components},
+          {"closed_triangles", mesh.closed_triangles},
           {"open_components", mesh.open_components},
           {"boundary_edges", mesh.boundary_edges},
           {"nonmanifold_edges", mesh.nonmanifold_edges}};
@@ -163,6 +183,19 @@ void print_meshes(std::string& out, const SceneFacts& facts) {
                    facts.meshes[i].is_backdrop ? "; backdrop" : "");
   if (facts.meshes.size() > most_lines)
     fmt::format_to(to, "              and {} more\n", facts.meshes.size() - most_lines);
+  const SolidFacts& solids = facts.solids;
+  fmt::format_to(to,
+                 "solids        {} closed, {} with holes that {} triangles fill: {} triangles, the "
+                 "largest {}\n",
+                 solids.closed, solids.filled, solids.fills, solids.triangles, solids.largest);
+}
+
+Json solids_json(const SolidFacts& solids) {
+  return {{"closed", solids.closed},
+          {"filled", solids.filled},
+          {"fills", solids.fills},
+          {"triangles", solids.triangles},
+          {"largest", solids.largest}};
 }
 
 }  // namespace
@@ -181,6 +214,7 @@ SceneFacts scene_facts(const Scene& scene) {
     add(facts.all_meshes, facts.meshes.back());
   }
   facts.triangles = facts.all_meshes.triangles;
+  facts.solids = solid_facts(scene);
   facts.bounds = bounds(shapes);
   facts.object_bounds = object_bounds(shapes);
   return facts;
@@ -249,6 +283,7 @@ std::string to_json(const SceneFacts& facts, const Scene& scene) {
                       {"total", facts.primitives}}},
                     {"all_meshes", mesh_json(facts.all_meshes)},
                     {"meshes", meshes},
+                    {"solids", solids_json(facts.solids)},
                     {"materials", scene.materials.size()},
                     {"textures", scene.textures.size()},
                     {"lights", lights},
