@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// What the proofs save: shadow rays traced by each method, at the paper's settings.
+#include <gtest/gtest.h>
+
+#include "penumbra/scene/complete_scene.h"
+#include "penumbra/scene/gallery.h"
+#include "penumbra/trace/prepare.h"
+#include "penumbra/trace/render.h"
+
+namespace penumbra {
+namespace {
+
+/// The paper's Table 2, as `umbra` over plain stochastic tracing: 3.58, 6.56, 6.78, 3.94, 3.67.
+struct Expectation {
+  const char* scene;
+  LightRadius radius;
+  double at_least;  ///< times fewer rays
+};
+
+class ShadowRays : public testing::TestWithParam<Expectation> {};
+
+INSTANTIATE_TEST_SUITE_P(OfTheBuiltInScenes, ShadowRays,
+                         testing::Values(Expectation{"cylinders", {0.1, false}, 3.5},
+                                         Expectation{"balls:4", {1.0 / 162, false}, 6.5},
+                                         Expectation{"rings", {0.05, false}, 5},
+                                         Expectation{"molecule", {1, true}, 3.6},
+                                         Expectation{"bust", {1, true}, 3.6}),
+                         [](const auto& test) {
+                           std::string name = test.param.scene;
+                           std::erase(name, ':');
+                           return name;
+                         });
+
+TEST_P(ShadowRays, AreFewerTheMoreIsProven) {
+  SceneOptions with_radius;
+  with_radius.light_radius = GetParam().radius;
+  const Scene scene = complete_scene(*gallery_scene(GetParam().scene), with_radius);
+  const Kernel kernel(scene.shapes, kernel_options(scene));
+  RenderOptions options;
+  options.width = options.height = 128;
+  const auto rays = [&](Method method) {
+    const ShadowScene shadows = prepare_shadows(scene, kernel, method);
+    EXPECT_LE(shadows.memory_bytes(), kernel.memory_bytes());  // both: at most twice
+    return static_cast<double>(render(scene, shadows, options).counters.shadow.rays);
+  };
+  const double stochastic = rays(Method::stochastic), offset = rays(Method::offset);
+  const double reduced = rays(Method::reduced), umbra = rays(Method::umbra);
+  EXPECT_GT(stochastic, offset);
+  EXPECT_GE(offset, reduced);
+  EXPECT_GE(reduced, umbra);
+  EXPECT_GE(stochastic / umbra, GetParam().at_least);
+}
+
+}  // namespace
+}  // namespace penumbra
