@@ -240,7 +240,7 @@ TEST(InnerVolumes, WhatIsNoNumberIsNotProven) {
 }
 
 TEST(SlowInnerVolumes, NoProofWhereASampleIsFreeInTwoMillionTrials) {
-  const Tally tally = run_trials(2, 4000, 500);
+  const Tally tally = run_trials(2, 1000, 2000);
   RecordProperty("proofs", std::to_string(tally.proofs));
   RecordProperty("edges", std::to_string(tally.edges));
   EXPECT_GT(tally.proofs, tally.queries / 20);
