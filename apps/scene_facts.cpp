@@ -11,6 +11,7 @@
 
 #include "penumbra/geometry/closed_surface.h"
 #include "penumbra/geometry/mesh.h"
+#include "penumbra/trace/prepare.h"
 
 namespace penumbra {
 namespace {
@@ -35,11 +36,8 @@ MeshFacts mesh_facts(const Mesh& mesh) {
 }
 
 SolidFacts solid_facts(const Scene& scene) {
-  std::vector<bool> casts_no_shadow;
-  for (const Material& material : scene.materials)
-    casts_no_shadow.push_back(!material.casts_shadow);
-  SolidFacts facts;
-  for (const ClosedSurface& surface : closed_surfaces(scene.shapes.meshes, casts_no_shadow)) {
+  for (const ClosedSurface& surface :
+       closed_surfaces(scene.shapes.meshes, kernel_options(scene).casts_no_shadow)) {
     ++(surface.fills().empty() ? facts.closed : facts.filled);
     facts.fills += surface.fills().size();
     facts.triangles += surface.first_fill;

@@ -34,11 +34,11 @@ struct LightSamples {
 };
 
 /// Fills `out` (reused between calls, so that nothing is allocated a ray) with the pattern's points
-/// for this key. Point lights give `size()` equal samples. p inside a ball or mesh: uniform over all
-/// directions, the sample on its surface. Samples lie within 8 ulp of (|p| + distance + size of the
-/// light) of the light, on the side of a ball or mesh that p sees. Cost of d = 32 with AVX-512: 0.11
-/// microseconds for balls and suns, 0.4 for rectangles, 1 for lines, 2.6 for skew parallelograms,
-/// disks and triangles, 3 to 6 for polygons and meshes of some 24 triangles.
+/// for this key. Point lights give `size()` equal samples. p inside a ball or mesh: uniform over
+/// all directions, the sample on its surface. Samples lie within 8 ulp of (|p| + distance + size of
+/// the light) of the light, on the side of a ball or mesh that p sees. Cost of d = 32 with AVX-512:
+/// 0.11 microseconds for balls and suns, 0.4 for rectangles, 1 for lines, 2.6 for skew
+/// parallelograms, disks and triangles, 3 to 6 for polygons and meshes of some 24 triangles.
 void sample_light(const LightShape& light, Vec3f p, const SamplePattern& pattern, std::uint64_t key,
                   LightSamples& out);
 

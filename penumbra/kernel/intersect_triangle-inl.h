@@ -56,7 +56,6 @@ inline double exact_crossing(Vec3d a, Vec3d b, Vec3d c, Vec3d origin, Vec3d dire
                              double doubt) {
   const Vec3d normal = cross(b - a, c - a), corner[3] = {a, b, c};
   const double t = dot(a - origin, normal) / dot(direction, normal);
-  if (!(t > 0) || !std::isfinite(t)) return t;  // leaves the plane
   double first = -DBL_MAX, last = DBL_MAX;
   for (int k = 0; k < 3; ++k) {
     const Vec3d inward = cross(normal, corner[(k + 1) % 3] - corner[k]);
@@ -65,6 +64,9 @@ inline double exact_crossing(Vec3d a, Vec3d b, Vec3d c, Vec3d origin, Vec3d dire
     if (slope > 0) first = std::max(first, -inside / slope);
     if (slope < 0) last = std::min(last, -inside / slope);
   }
+  // Runs in the plane, or away from it by rounding alone: a hit where the outline is ahead. The
+  // sheared test gave the crossing to this triangle and to none of its neighbours.
+  if (!(t > 0) || !std::isfinite(t)) return first > 0 ? std::min(first, last) : t;
   return std::clamp(t, std::min(first, last), std::max(first, last));
 }
 

@@ -72,7 +72,7 @@ Problem problem_with(const PolygonLight& light) {
   if (corners.size() < 3) return LightProblem{"has fewer than 3 corners", "use line for 2"};
   if (const Problem problem = problem_with_corners(corners)) return problem;
   const Vec3d normal = polygon_normal(corners), n = normalize(normal);
-  const double size = diameter(corners), slack = tolerance(corners) + 1e-6 * size;
+  const double size = diameter(corners), slack = tolerance(corners) + 1e-3 * size;
   const auto at = [&](std::size_t i) { return Vec3d(corners[i % corners.size()]); };
   for (std::size_t i = 0; i < corners.size(); ++i) {
     // Height over the line through two corners, when it is the third.
@@ -81,12 +81,15 @@ Problem problem_with(const PolygonLight& light) {
     };
     if (std::abs(dot(n, at(i) - Vec3d(light.center))) > slack)
       return LightProblem{"is not planar", "move its corners into one plane, or use mesh"};
+    if (!is_left(at(i), at(i + 1), Vec3d(light.center)))
+      return LightProblem{"has its centre outside", "take the centroid of its area"};
     if (!is_left(at(i), at(i + 1), at(i + 2)) || !is_left(at(0), at(i), at(i + 1)))
       return LightProblem{"is not convex with its corners in order",
                           "give them in order around it, or split it"};
   }
   if (!(length(normal) > 1e-7 * size * size + tolerance(corners) * size))
-    return LightProblem{"has no area", "use line for corners in a row"};
+    return LightProblem{"has no area, or its corners are out of order",
+                        "give them in order around it; use line for corners in a row"};
   return {};
 }
 
@@ -112,7 +115,7 @@ Problem problem_with(const MeshLight& light) {
                           "number corners from 0"};
   if (light.triangles.empty() || !is_closed(light.triangles))
     return LightProblem{"is not closed", hull};
-  const double size = diameter(corners), slack = tolerance(corners) + 1e-6 * size;
+  const double size = diameter(corners), slack = tolerance(corners) + 1e-3 * size;
   const double volume = six_volumes(corners, light.triangles);
   if (!(volume > 1e-9 * size * size * size))
     return LightProblem{"has no volume, or its triangles look inwards",

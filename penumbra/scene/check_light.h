@@ -14,8 +14,8 @@ struct LightProblem {
 };
 
 /// The first thing wrong with a light, or nothing. Directions need not be unit, but not 0. Flat
-/// shapes may be bent, and convex ones dented, by what float coordinates cannot express. Cost:
-/// triangles times corners.
+/// shapes may be bent, and convex ones dented, by what float coordinates cannot express, polygons
+/// by a thousandth of their size. Cost: triangles times corners.
 std::optional<LightProblem> problem_of(const LightShape& light);
 
 }  // namespace penumbra

@@ -164,12 +164,23 @@ std::size_t check_meshes(Scene& scene, const Checker& check) {
   return dropped;
 }
 
+/// Flat, long and many-cornered lights are sampled in coordinates of their own size, beside which
+/// float loses a scene that is so much smaller.
+bool is_too_large(const LightShape& light, double extent) {
+  if (std::holds_alternative<BallLight>(light)) return false;
+  const std::optional<Box> box = bounds(light);
+  return box && box->largest_extent() > 1e6 * extent;
+}
+
 void check_lights(Scene& scene, const Checker& check) {
+  const double extent = bounds(scene.shapes).largest_extent();
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     Light& light = scene.lights[i];
     check.require(is_color(light.intensity), "light", i, color_problem, color_hint);
     const std::optional<LightProblem> problem = problem_of(light.shape);
     if (problem) check.require(false, "light", i, problem->what, problem->hint);
+    check.require(!is_too_large(light.shape, extent), "light", i,
+                  "is more than a million times as large as the scene", "use sun, or a sphere");
     if (auto* sun = std::get_if<SunLight>(&light.shape)) sun->direction = unit(sun->direction);
     if (auto* disk = std::get_if<DiskLight>(&light.shape)) disk->normal = unit(disk->normal);
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/shadow/classify.h"
 
+#include <algorithm>
+
 #include "penumbra/shadow/cover.h"
 
 namespace penumbra {
@@ -13,17 +15,27 @@ struct Verdict {
   const ShadowScene& scene;
   std::uint32_t light;
   Vec3f p;
+  ProofBudget budget;
   OccluderQueue& queue;
   ShadowClass result = ShadowClass::lit;
 
-  /// True when it is settled.
-  bool settles(std::uint32_t candidate) {
-    const bool is_first = result == ShadowClass::lit;
+  Visit see(std::uint32_t record, bool is_candidate) {
+    const bool is_first = is_candidate && result == ShadowClass::lit;
+    if (is_candidate) result = ShadowClass::penumbra;
+    if (result == ShadowClass::penumbra && scene.method != Method::umbra) return Visit::stop;
+    if (is_candidate && ((is_first && volume_covers()) || record_covers(record))) {
+      result = ShadowClass::umbra;
+      return Visit::stop;
+    }
+    return pay(is_first);
+  }
+
+  /// One test is spent.
+  Visit pay(bool is_first) {
+    if (is_first) budget.tests = std::min(budget.tests, budget.tests_beyond_candidate);
+    if (budget.tests-- > 0) return Visit::go_on;
     result = ShadowClass::penumbra;
-    if (scene.method != Method::umbra) return true;
-    if (!(is_first && volume_covers()) && !record_covers(candidate)) return false;
-    result = ShadowClass::umbra;
-    return true;
+    return Visit::stop;
   }
 
   bool volume_covers() {
@@ -42,14 +54,18 @@ struct Verdict {
 
 }  // namespace
 
-ShadowClass classify(const ShadowScene& scene, std::uint32_t light, Vec3f p, OccluderQueue& queue,
-                     ShadowCounters& counters) {
+ProofBudget proof_budget(std::uint32_t shadow_samples) {
+  return {32 + 4ull * shadow_samples, 4 + shadow_samples / 2};
+}
+
+ShadowClass classify(const ShadowScene& scene, std::uint32_t light, Vec3f p,
+                     const ProofBudget& budget, OccluderQueue& queue, ShadowCounters& counters) {
   if (!holds(scene.receivers, p)) return ShadowClass::penumbra;
-  Verdict verdict{scene, light, p, queue};
+  Verdict verdict{scene, light, p, budget, queue};
   ++counters.set_rays;
-  counters.set_tests +=
-      visit_candidates(scene.set, scene.kernel->records(), scene.hulls[light], p,
-                       [&](std::uint32_t candidate) { return verdict.settles(candidate); });
+  counters.set_tests += visit_occluders(
+      scene.set, scene.kernel->records(), scene.hulls[light], p,
+      [&](std::uint32_t record, bool is_candidate) { return verdict.see(record, is_candidate); });
   return verdict.result;
 }
 

@@ -8,10 +8,19 @@
 
 namespace penumbra {
 
+/// How much a query may cost before it gives up and leaves the point to its samples: grown
+/// occluders tested, and tested beyond the first candidate (only umbra can be proven then). In
+/// proportion to what the samples cost: dense meshes under large lights have thousands of
+/// candidates a point.
+struct ProofBudget {
+  std::uint64_t tests, tests_beyond_candidate;
+};
+ProofBudget proof_budget(std::uint32_t shadow_samples);
+
 /// lit: the shadow set has no candidate. umbra: one occluder, or an inner volume, hides the whole
 /// light. Both are proven for every sample above or below p's horizon; all else is penumbra. For
 /// methods that have a shadow set. The volume of the last proof is kept in `queue`.
-ShadowClass classify(const ShadowScene& scene, std::uint32_t light, Vec3f p, OccluderQueue& queue,
-                     ShadowCounters& counters);
+ShadowClass classify(const ShadowScene& scene, std::uint32_t light, Vec3f p,
+                     const ProofBudget& budget, OccluderQueue& queue, ShadowCounters& counters);
 
 }  // namespace penumbra

@@ -86,8 +86,8 @@ bool behind_ring(const Record& ring, const LightHull& light, Vec3f p) {
 
 /// Points on a triangle are nearer to it than its hits may lie. But where float can't tell the side
 /// of the plane that a ray starts from, the intersector finds the crossing in double: rays that
-/// start above the plane and go farther away from it are not hits, however low they start. Others
-/// must keep their distance.
+/// start above the plane by more than 8 ulp and go farther away from it are not hits. Others must
+/// keep their distance.
 bool behind_triangle(const Record& record, const LightHull& light, Vec3f p) {
   const Vec3d a(record.vector(0)), ab = Vec3d(record.vector(3)) - a,
                                    ac = Vec3d(record.vector(6)) - a;
@@ -99,7 +99,8 @@ bool behind_triangle(const Record& record, const LightHull& light, Vec3f p) {
   // Double knows the side, and the direction to better than float.
   if (!(height > 0x1p-48 * length(to) * edges && size > 0x1p-26 * edges)) return false;
   const double least = light.least_height(p, n);
-  return least > 0 || height + least > hit_bound(record, p) * size;
+  const double bound = hit_bound(record, p) * size;
+  return (least > 0 && height > bound / 8) || height + least > bound;
 }
 
 }  // namespace

@@ -132,9 +132,11 @@ std::size_t InnerVolumes::memory_bytes() const {
   for (const Volume& volume : volumes_)
     sum += volume.inner.body.faces.capacity() * sizeof(HalfSpace) +
            volume.inner.body.edges.capacity() * sizeof(ConvexPolyhedron::Edge);
-  for (const Solid& solid : solids_)
+  for (const Solid& solid : solids_) {
+    sum += solid.clearance.capacity() * sizeof(double);
     for (const FillGroup& group : solid.fills)
       sum += sizeof group + group.fills.capacity() * sizeof(FlatTriangle);
+  }
   return sum;
 }
 

@@ -31,7 +31,7 @@ double greatest_hit_bound(const Box& occluder, const Box& receivers) {
   // for their extent along every axis.
   Box both = occluder;
   both.add(receivers);
-  return 64 * 0x1p-24 * 2 * max_abs(Vec3d(both.hi) - Vec3d(both.lo));
+  return 64 * 0x1p-24 * 2 * max_abs(Vec3d(both.hi) - Vec3d(both.lo)) + underflow_bound;
 }
 
 }  // namespace penumbra

@@ -49,6 +49,9 @@ LightHull::LightHull(const LightShape& light, const Box& scene) {
   }
   corners_ = penumbra::corners(light);
   for (Vec3d& corner : corners_) corner = corner - center_;
+  // Offsets rest on the centre being in the light. A library's caller may have given another.
+  if (std::holds_alternative<PolygonLight>(light) || std::holds_alternative<MeshLight>(light))
+    corners_.push_back({});
   for (const Vec3d& corner : corners_) size_ = std::max(size_, length(corner));
 }
 

@@ -12,6 +12,10 @@
 
 namespace penumbra {
 
+/// Below this length squares leave float's range: the intersector may hit what is so near, and
+/// nothing so small is proven.
+inline constexpr double underflow_bound = 1e-18;
+
 /// Prepared once a light. Where p is an argument it is a receiver point p'.
 ///
 /// A sun is no set of points: for each p it becomes the disk across its direction, so far from p

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "penumbra/shadow/light_hull.h"
+
 namespace penumbra {
 
 namespace {
@@ -48,7 +50,7 @@ double hit_bound(const Record& record, Vec3f p) {
   const Bound bound = bound_of(record, Vec3d(p));
   double sum = 0;  // maxima and minima may lose what is no number, sums don't
   for (float number : record.number) sum += number;
-  return bound.ulps * 0x1p-24 * bound.reach + 0 * sum;
+  return bound.ulps * 0x1p-24 * bound.reach + underflow_bound + 0 * sum;
 }
 
 }  // namespace penumbra

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/shadow/shadow_set.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 #include "penumbra/kernel/kernel.h"
@@ -23,16 +25,15 @@ float largest_t(const Box& occluder, std::span<const LightHull> lights, Offsets 
 ShadowSet build_shadow_set(std::span<const Record> records, std::span<const LightHull> lights,
                            Offsets offsets, const Box& receivers) {
   std::vector<GrownOccluder> grown;
-  std::vector<Box> boxes;
-  for (std::uint32_t i = 0; i < records.size(); ++i) {
-    if (!records[i].casts_shadow) continue;
-    const Box box = bounds(records[i]);
-    const float t = largest_t(box, lights, offsets, receivers);
-    Box all;
-    for (const LightHull& light : lights) all.add(offset_bounds(box, light, t, receivers));
-    grown.push_back({i, t});
-    boxes.push_back(all);
-  }
+  for (std::uint32_t i = 0; i < records.size(); ++i)
+    if (records[i].casts_shadow) grown.push_back({i, 1});
+  std::vector<Box> boxes(grown.size());
+  tbb::parallel_for(std::size_t{0}, grown.size(), [&](std::size_t i) {
+    const Box box = bounds(records[grown[i].record]);
+    grown[i].t = largest_t(box, lights, offsets, receivers);
+    for (const LightHull& light : lights)
+      boxes[i].add(offset_bounds(box, light, grown[i].t, receivers));
+  });
   BoxTree tree = build_box_tree(boxes);
   ShadowSet set{std::move(tree.nodes), {}};
   set.occluders.reserve(grown.size());
@@ -40,9 +41,8 @@ ShadowSet build_shadow_set(std::span<const Record> records, std::span<const Ligh
   return set;
 }
 
-std::uint64_t visit_candidates(const ShadowSet& set, std::span<const Record> records,
-                               const LightHull& light, Vec3f p, VisitCandidate candidate,
-                               void* context) {
+std::uint64_t visit_occluders(const ShadowSet& set, std::span<const Record> records,
+                              const LightHull& light, Vec3f p, VisitOccluder visit, void* context) {
   std::uint64_t tests = 0;
   // To the centre and, for what float loses of it, a little beyond.
   const Ray ray{p, Vec3f(light.center(p) - Vec3d(p)), 0, 1.001f};
@@ -50,8 +50,9 @@ std::uint64_t visit_candidates(const ShadowSet& set, std::span<const Record> rec
     for (std::uint32_t i = first; i < first + count; ++i) {
       const GrownOccluder& occluder = set.occluders[i];
       ++tests;
-      if (surely_misses_offset(records[occluder.record], light, p, occluder.t)) continue;
-      if (candidate(context, occluder.record)) return true;
+      const bool is_candidate =
+          !surely_misses_offset(records[occluder.record], light, p, occluder.t);
+      if (visit(context, occluder.record, is_candidate) == Visit::stop) return true;
     }
     return false;
   });

@@ -36,21 +36,23 @@ struct ShadowSet {
 ShadowSet build_shadow_set(std::span<const Record> records, std::span<const LightHull> lights,
                            Offsets offsets, const Box& receivers);
 
-/// Calls candidate(record) for the occluders whose outer offset the segment from p to the light's
-/// centre may meet, until it returns true: the records that may block a sample. Returns the number
-/// of occluders tested. `Candidate` is bool(std::uint32_t).
-using VisitCandidate = bool (*)(void* context, std::uint32_t record);
-std::uint64_t visit_candidates(const ShadowSet& set, std::span<const Record> records,
-                               const LightHull& light, Vec3f p, VisitCandidate candidate,
-                               void* context);
+/// What a query does with an occluder that it tested.
+enum class Visit { go_on, stop };
 
-template <class Candidate>
-std::uint64_t visit_candidates(const ShadowSet& set, std::span<const Record> records,
-                               const LightHull& light, Vec3f p, Candidate candidate) {
-  const auto call = [](void* context, std::uint32_t record) -> bool {
-    return (*static_cast<Candidate*>(context))(record);
+/// Calls visit(record, is_candidate) for the occluders whose boxes the segment from p to the
+/// light's centre meets, until it says stop. Candidates are those whose outer offset it may meet:
+/// the records that may block a sample. Returns the number of occluders tested.
+using VisitOccluder = Visit (*)(void* context, std::uint32_t record, bool is_candidate);
+std::uint64_t visit_occluders(const ShadowSet& set, std::span<const Record> records,
+                              const LightHull& light, Vec3f p, VisitOccluder visit, void* context);
+
+template <class F>
+std::uint64_t visit_occluders(const ShadowSet& set, std::span<const Record> records,
+                              const LightHull& light, Vec3f p, F visit) {
+  const auto call = [](void* context, std::uint32_t record, bool is_candidate) {
+    return (*static_cast<F*>(context))(record, is_candidate);
   };
-  return visit_candidates(set, records, light, p, call, &candidate);
+  return visit_occluders(set, records, light, p, call, &visit);
 }
 
 }  // namespace penumbra

@@ -167,8 +167,10 @@ Visibility visibility(const ShadowScene& scene, std::uint32_t light, const Recei
   if (!is_above && take_samples(scene, light, receiver, key, scratch) == 0)
     return {0, 0, is_doubtful ? ShadowClass::penumbra : ShadowClass::umbra};
 
-  const ShadowClass proven = may_prove ? classify(scene, light, receiver.position, queue, counters)
-                                       : ShadowClass::penumbra;
+  const ShadowClass proven = may_prove
+                                 ? classify(scene, light, receiver.position,
+                                            proof_budget(scratch.pattern.size()), queue, counters)
+                                 : ShadowClass::penumbra;
   Visibility result;
   std::uint64_t rays = 0;
   if (proven == ShadowClass::umbra) {

@@ -30,7 +30,7 @@ class BlockRenderer {
       : context_(context),
         options_(options),
         image_(image),
-        scratch(options.shadow_samples, context.scene.lights.size()) {}
+        scratch_(options.shadow_samples, context.scene.lights.size()) {}
 
   void add_pixel(std::size_t pixel, const std::vector<CameraRay>& rays) {
     for (const CameraRay& ray : rays) {
@@ -41,10 +41,11 @@ class BlockRenderer {
     }
   }
 
-  /// Traces what is left.
-  void finish() {
+  /// Traces what is left; returns counters and times.
+  TraceScratch finish() && {
     flush();
     store_pixel();
+    return std::move(scratch_);
   }
 
  private:
@@ -54,7 +55,7 @@ class BlockRenderer {
     std::vector<RayNode> nodes;
     const bool wants_nodes = !options_.aovs.empty();
     const std::vector<TreeResult> trees =
-        trace(context_, wave_, scratch, wants_nodes ? &nodes : nullptr);
+        trace(context_, wave_, scratch_, wants_nodes ? &nodes : nullptr);
     for (std::size_t i = 0; i < trees.size(); ++i) {
       if (pixel_of_[i] != pixel_) store_pixel();
       pixel_ = pixel_of_[i];
@@ -82,9 +83,7 @@ class BlockRenderer {
   std::size_t pixel_ = no_pixel;       // whose samples are summed, in double and in order
   Vec3d sum_;
   PixelResult result_;
-
- public:
-  TraceScratch scratch;
+  TraceScratch scratch_;
 };
 
 }  // namespace
@@ -97,8 +96,7 @@ TraceScratch render_block(const TraceContext& context, const RenderOptions& opti
     camera.of_pixel(pixel.x, pixel.y, rays);
     renderer.add_pixel(std::size_t(pixel.y) * options.width + pixel.x, rays);
   }
-  renderer.finish();
-  return std::move(renderer.scratch);
+  return std::move(renderer).finish();
 }
 
 }  // namespace penumbra

@@ -2,6 +2,7 @@
 // The contract: every method but `hard` draws the picture of `stochastic`, bit for bit.
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -108,6 +109,7 @@ TEST(SlowIdentityOfFiles, OfEverySceneThatCanBeRead) {
       continue;  // no scene, or none that can be drawn
     }
     SCOPED_TRACE(entry.path().string());
+    std::fprintf(stderr, "%s\n", entry.path().c_str());
     for (const char* kind : {"ball", "parallelogram", "sun"})
       expect_identity(with_lights(scene, kind, 1), picture(96, 32));
     ++scenes;

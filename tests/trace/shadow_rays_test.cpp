@@ -4,6 +4,7 @@
 
 #include "penumbra/scene/complete_scene.h"
 #include "penumbra/scene/gallery.h"
+#include "penumbra/shadow/classify.h"
 #include "penumbra/trace/prepare.h"
 #include "penumbra/trace/render.h"
 
@@ -49,6 +50,22 @@ TEST_P(ShadowRays, AreFewerTheMoreIsProven) {
   EXPECT_GE(offset, reduced);
   EXPECT_GE(reduced, umbra);
   EXPECT_GE(stochastic / umbra, GetParam().at_least);
+}
+
+/// A large light over a fine mesh has thousands of candidates a point.
+TEST(ShadowProofs, CostNoMoreThanTheirBudget) {
+  SceneOptions with_radius;
+  with_radius.light_radius = LightRadius{50, true};
+  const Scene scene = complete_scene(*gallery_scene("bust"), with_radius);
+  const Kernel kernel(scene.shapes, kernel_options(scene));
+  RenderOptions options;
+  options.width = options.height = 64;
+  options.shadow_samples = 8;
+  for (const Method method : {Method::offset, Method::reduced, Method::umbra}) {
+    const ShadowCounters spent =
+        render(scene, prepare_shadows(scene, kernel, method), options).counters.shadow;
+    EXPECT_LE(spent.set_tests, spent.set_rays * (proof_budget(8).tests + 1));
+  }
 }
 
 }  // namespace
