@@ -36,6 +36,7 @@ MeshFacts mesh_facts(const Mesh& mesh) {
 }
 
 SolidFacts solid_facts(const Scene& scene) {
+  SolidFacts facts;
   for (const ClosedSurface& surface :
        closed_surfaces(scene.shapes.meshes, kernel_options(scene).casts_no_shadow)) {
     ++(surface.fills().empty() ? facts.closed : facts.filled);
