@@ -37,7 +37,9 @@ Vec3d support_of(const ParallelogramLight& light, Vec3d direction) {
 
 Vec3d support_of(const DiskLight& light, Vec3d direction) {
   const Vec3d n = normalize(Vec3d(light.normal)), d = normalize(direction);
-  return center_of(light) + normalize(d - n * dot(n, d)) * static_cast<double>(light.radius);
+  // Where the direction is the normal's, what is left of it is noise, off the plane.
+  const Vec3d across = normalize(d - n * dot(n, d));
+  return center_of(light) + (across - n * dot(n, across)) * static_cast<double>(light.radius);
 }
 
 Vec3d support_of(const LineLight& light, Vec3d direction) {

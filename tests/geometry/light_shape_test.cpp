@@ -67,6 +67,11 @@ TEST(LightShape, SupportAndBoxHoldEverySample) {
   EXPECT_EQ(*support(line, {-1, 0, 0}), Vec3d(0.5, 2, 1));
   EXPECT_EQ(*support(box, {-1, 1, 1}), Vec3d(0, 2.5, 5));
   EXPECT_EQ(*support(disk, {0, 7, 0}), Vec3d(1, 4, 3));
+  const DiskLight skew_disk{{0, 0, 0}, normalize(Vec3f{1, 2, 3}), 1};
+  for (const double sign : {1.0, -1.0}) {
+    const Vec3d n = normalize(Vec3d(skew_disk.normal));
+    EXPECT_NEAR(dot(*support(skew_disk, n * sign + Vec3d{1e-17, 0, 0}), n), 0, 1e-12);
+  }
 }
 
 TEST(LightShape, BoxesAreTight) {

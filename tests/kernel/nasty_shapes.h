@@ -21,6 +21,14 @@ class Random {
   std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(engine_() % n); }
   bool one_in(std::uint32_t n) { return below(n) == 0; }
   Vec3f in_cube() { return {uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)}; }
+  /// 10^uniform(lo, hi)
+  float power(float lo, float hi) { return std::pow(10.0f, uniform(lo, hi)); }
+  /// A unit vector, often along an axis or a diagonal.
+  Vec3d direction() {
+    Vec3d n(in_cube());
+    if (one_in(3)) n = {std::round(n.x), std::round(n.y), std::round(n.z)};
+    return n == Vec3d{} ? Vec3d{0, 0, 1} : normalize(n);
+  }
 
  private:
   std::mt19937_64 engine_;
@@ -35,9 +43,8 @@ struct Place {
 
 inline Place random_place(Random& random) {
   Place place;
-  if (random.one_in(2)) place.scale = std::pow(10.0f, random.uniform(-8, 8));
-  if (random.one_in(3))
-    place.offset = random.in_cube() * (place.scale * std::pow(10.0f, random.uniform(0, 5)));
+  if (random.one_in(2)) place.scale = random.power(-8, 8);
+  if (random.one_in(3)) place.offset = random.in_cube() * (place.scale * random.power(0, 5));
   return place;
 }
 
@@ -52,7 +59,7 @@ inline Vec3f random_point(Random& random) {
 inline ShapeSet random_shapes(ShapeKind kind, std::uint32_t count, const Place& place,
                               Random& random) {
   ShapeSet shapes;
-  const auto radius = [&] { return place.scale * std::pow(10.0f, random.uniform(-3, 0)); };
+  const auto radius = [&] { return place.scale * random.power(-3, 0); };
   for (std::uint32_t i = 0; i < count; ++i) {
     const Vec3f a = place(random_point(random));
     switch (kind) {
@@ -150,7 +157,7 @@ inline LightSamples random_packet(const ShapeSet& shapes, const std::vector<Shap
                                  : place(random.in_cube() * (random.one_in(4) ? 100.0f : 2.0f));
   rays.t_max = random.one_in(4) ? std::numeric_limits<float>::infinity() : 1.0f;
   const Vec3f towards = interesting();
-  const float spread = random.one_in(2) ? 2 : std::pow(10.0f, random.uniform(-4, 0));
+  const float spread = random.one_in(2) ? 2 : random.power(-4, 0);
   for (std::uint32_t i = 0; i < rays.x.size(); ++i) {
     Vec3f target = towards + random.in_cube() * (place.scale * spread);
     if (random.one_in(4)) target = interesting();

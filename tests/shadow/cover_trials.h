@@ -1,73 +1,29 @@
 // SPDX-License-Identifier: MIT
-// Occluders, lights and receivers made so that umbra is nearly critical, and the judge of them.
+// Occluders, lights and receivers made so that umbra is nearly critical.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numbers>
 
-#include "penumbra/geometry/light_sampling.h"
-#include "penumbra/kernel/record.h"
-#include "penumbra/kernel/traverse.h"
-#include "penumbra/shadow/light_hull.h"
-#include "tests/kernel/nasty_shapes.h"
+#include "tests/shadow/light_kinds.h"
+#include "tests/shadow/shape_forms.h"
 
 namespace penumbra::trials {
 
+using nasty::Place;
 using nasty::Random;
 
 /// One shape, and a point in it, on it or near it that a light may be hidden behind.
 struct Occluder {
   ShapeSet shapes;
+  Record record;
   Vec3d aim;
-  double size = 1;  // a typical length
-  ShapeRef ref() const { return all_primitives(shapes).front(); }
-};
-
-struct OccluderKind {
-  const char* name;
-  ShapeKind kind;
-  std::function<void(ShapeSet&, Random&)> adjust;
-};
-
-inline const OccluderKind occluder_kinds[] = {
-    {"sphere", ShapeKind::sphere, [](ShapeSet&, Random&) {}},
-    {"capped cylinder", ShapeKind::cone,
-     [](ShapeSet& s, Random&) {
-       s.cones[0].apex_radius = s.cones[0].base_radius, s.cones[0].caps = Caps::capped;
-     }},
-    {"open cylinder", ShapeKind::cone,
-     [](ShapeSet& s, Random&) {
-       s.cones[0].apex_radius = s.cones[0].base_radius, s.cones[0].caps = Caps::open;
-     }},
-    {"capped cone", ShapeKind::cone,
-     [](ShapeSet& s, Random& random) {
-       s.cones[0].base_radius *= std::pow(4.0f, random.uniform(0, 3));
-       s.cones[0].caps = Caps::capped;
-     }},
-    {"open cone", ShapeKind::cone,
-     [](ShapeSet& s, Random& random) {
-       s.cones[0].base_radius *= std::pow(4.0f, random.uniform(0, 3));
-       s.cones[0].caps = Caps::open;
-     }},
-    {"full cone", ShapeKind::cone,
-     [](ShapeSet& s, Random& random) {
-       if (random.one_in(2)) std::swap(s.cones[0].base, s.cones[0].apex);
-       s.cones[0].apex_radius = 0;
-       if (random.one_in(4)) std::swap(s.cones[0].base_radius, s.cones[0].apex_radius);
-     }},
-    {"disk", ShapeKind::ring, [](ShapeSet& s, Random&) { s.rings[0].inner_radius = 0; }},
-    {"ring", ShapeKind::ring,
-     [](ShapeSet& s, Random& random) {
-       s.rings[0].inner_radius = s.rings[0].radius * random.uniform(0.01f, 0.9f);
-     }},
-    {"triangle", ShapeKind::triangle, [](ShapeSet&, Random&) {}},
+  double size = 1;  // how wide it is
 };
 
 /// Points of the solid or the surface, the middle often.
 inline Vec3d aim_at(const ShapeSet& shapes, ShapeRef ref, Random& random) {
-  const Vec3d n = normalize(Vec3d(random.in_cube()));
+  const Vec3d n = random.direction();
   const double off = random.one_in(3) ? 0 : random.uniform(0, 1);
   switch (ref.kind) {
     case ShapeKind::sphere:
@@ -95,102 +51,73 @@ inline Vec3d aim_at(const ShapeSet& shapes, ShapeRef ref, Random& random) {
   return random.one_in(3) ? (a + b + c) / 3.0 : a + (b - a) * u + (c - a) * v;
 }
 
-inline Occluder make_occluder(const OccluderKind& kind, const nasty::Place& place, Random& random) {
-  for (;;) {
-    Occluder result{nasty::random_shapes(kind.kind, 1, place, random), {}, 1};
-    for (Mesh& mesh : result.shapes.meshes) drop_degenerate_triangles(mesh);
-    if (primitive_count(result.shapes) != 1) continue;
-    kind.adjust(result.shapes, random);
-    const ShapeRef ref = result.ref();
-    result.aim = aim_at(result.shapes, ref, random);
-    switch (ref.kind) {
-      case ShapeKind::sphere: result.size = result.shapes.spheres[0].radius; break;
-      case ShapeKind::cone:
-        result.size =
-            std::max(result.shapes.cones[0].base_radius, result.shapes.cones[0].apex_radius);
-        break;
-      case ShapeKind::ring: result.size = result.shapes.rings[0].radius; break;
-      case ShapeKind::triangle: result.size = place.scale; break;
-    }
-    return result;
+inline double width_of(const ShapeSet& shapes, ShapeRef ref) {
+  switch (ref.kind) {
+    case ShapeKind::sphere: return shapes.spheres[0].radius;
+    case ShapeKind::cone: return std::max(shapes.cones[0].base_radius, shapes.cones[0].apex_radius);
+    case ShapeKind::ring: return shapes.rings[0].radius;
+    case ShapeKind::triangle: break;
   }
+  const Mesh& mesh = shapes.meshes[0];
+  const Vec3d a(mesh.positions[0]), b(mesh.positions[1]), c(mesh.positions[2]);
+  return length(cross(b - a, c - a)) / std::max({length(b - a), length(c - b), length(a - c)});
 }
 
-/// A light of some form around a centre, as large as `size`, seen from p.
-struct LightKind {
-  const char* name;
-  std::function<LightShape(Vec3d center, double size, Vec3f p, Random random)> make;
+inline Occluder make_occluder(const ShapeForm& form, const Place& place, Random& random) {
+  const ShapeSet shapes = random_shape(form, place, random);
+  const ShapeRef ref = only_primitive(shapes);
+  return {shapes, only_record(shapes), aim_at(shapes, ref, random), width_of(shapes, ref)};
+}
+
+struct CoverTrial {
+  LightShape light;
+  Vec3f p;
 };
 
-inline Vec3d some_direction(Random& random) {
-  const Vec3d n(random.in_cube());
-  if (!random.one_in(3)) return normalize(n);
-  return normalize(Vec3d{std::round(n.x), std::round(n.y), std::round(n.z)} + Vec3d{0, 0, 1e-30});
-}
-
-/// The same random numbers for any size and centre: `random` comes by value.
-inline const LightKind light_kinds[] = {
-    {"point",
-     [](Vec3d center, double, Vec3f, Random) -> LightShape { return PointLight{Vec3f(center)}; }},
-    {"ball",
-     [](Vec3d center, double size, Vec3f, Random) -> LightShape {
-       return BallLight{Vec3f(center), static_cast<float>(size)};
-     }},
-    {"parallelogram",
-     [](Vec3d center, double size, Vec3f, Random random) -> LightShape {
-       const Vec3d u = some_direction(random);
-       Vec3d v = normalize(cross(u, some_direction(random) + Vec3d{0.1, 0.2, 0.3}));
-       if (random.one_in(2)) v = v + u * 0.5;
-       return ParallelogramLight{Vec3f(center), Vec3f(u * size),
-                                 Vec3f(v * (size * random.uniform(0.05f, 1)))};
-     }},
-    {"sun",
-     [](Vec3d center, double size, Vec3f p, Random) -> LightShape {
-       const Vec3d to = center - Vec3d(p);
-       return SunLight{Vec3f(normalize(to)), static_cast<float>(std::atan(size / length(to)))};
-     }},
-};
-
-/// Rays to the light's edge, as seen from p: towards its farthest points across the way.
-inline void add_extreme_rays(const LightShape& light, Vec3f p, std::uint32_t count, Random& random,
-                             LightSamples& rays) {
-  const std::uint32_t before = rays.count;
-  std::vector<float> old[3] = {rays.x, rays.y, rays.z};
-  rays.resize(before + count);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const Frame<double> frame = frame_around(normalize(Vec3d(towards_center(light, p))));
-    const double angle =
-        random.one_in(2) ? random.below(8) * std::numbers::pi / 4 : random.uniform(0, 6.2831853f);
-    const Vec3d across = frame.u * std::cos(angle) + frame.v * std::sin(angle);
-    Vec3d way;
-    if (const auto* sun = std::get_if<SunLight>(&light)) {
-      way = frame.n * std::cos(double(sun->half_angle_rad)) +
-            across * std::sin(double(sun->half_angle_rad));
-    } else {
-      const auto* ball = std::get_if<BallLight>(&light);
-      const double distance = length(Vec3d(towards_center(light, p)));
-      const double sine = ball ? std::min(1.0, ball->radius / distance) : 0;
-      way = *support(light, across * std::sqrt(1 - sine * sine) - frame.n * sine) - Vec3d(p);
+/// One way to look at an occluder: lights that grow or move with t, from surely hidden (if any is)
+/// to surely not.
+class Situation {
+ public:
+  Situation(const char* light_kind, const Occluder& occluder, Random& random)
+      : kind_(light_kind), form_(random_form(random)) {
+    const Vec3d way = random.direction();
+    const double before = distance(occluder.size, random), behind = distance(occluder.size, random);
+    Vec3d p = occluder.aim - way * before;
+    center_ = occluder.aim + way * (random.one_in(30) ? -behind : behind);
+    if (random.one_in(8)) {
+      const Vec3f q =
+          nasty::point_of_interest(occluder.shapes, only_primitive(occluder.shapes), random);
+      p = Vec3d(q) - way * (occluder.size * (random.one_in(2) ? 0 : 1e-6));
     }
-    rays.x[before + i] = static_cast<float>(way.x);
-    rays.y[before + i] = static_cast<float>(way.y);
-    rays.z[before + i] = static_cast<float>(way.z);
+    p_ = Vec3f(p);
+    const double seen = occluder.size * (1 + behind / (before + 1e-30));
+    largest_ = std::min(seen, 100 * (before + behind)) * (random.one_in(2) ? 1 : 4);
+    if (random.one_in(3)) {
+      smallest_ = largest_ * double(random.power(-4, -0.5f));
+      shift_ = random.direction() * (largest_ * 2);
+    }
   }
-}
 
-/// How many rays from p to samples and extreme points of the light the record leaves free.
-inline std::uint32_t free_rays(const Record& record, const LightShape& light, Vec3f p,
-                               const SamplePattern& pattern, std::uint32_t extremes,
-                               Random& random) {
-  LightSamples rays;
-  sample_light(light, p, pattern, random.below(1u << 30), rays);
-  add_extreme_rays(light, p, extremes, random, rays);
-  const std::vector<std::uint32_t> active((rays.count + 31) / 32, ~0u);
-  std::vector<std::uint32_t> blocked(active.size());
-  occluded_brute({&record, 1}, rays, active, blocked);
-  std::uint32_t hidden = 0;
-  for (std::uint32_t word : blocked) hidden += static_cast<std::uint32_t>(__builtin_popcount(word));
-  return rays.count - hidden;
-}
+  CoverTrial at(double t) const {
+    const bool is_moved = shift_ != Vec3d{};
+    const double size = is_moved ? smallest_ : std::max(largest_ * t, largest_ * 1e-6);
+    return {make_light(kind_, form_, is_moved ? center_ + shift_ * t : center_, size, p_), p_};
+  }
+
+ private:
+  static double distance(double size, Random& random) {
+    switch (random.below(6)) {
+      case 0: return size * double(random.power(-7, -1));
+      case 1: return size * double(random.power(0, 4));
+      default: return size * double(random.uniform(0.1f, 4));
+    }
+  }
+
+  const char* kind_;
+  LightForm form_;
+  Vec3f p_;
+  Vec3d center_, shift_;
+  double largest_ = 0, smallest_ = 0;
+};
 
 }  // namespace penumbra::trials

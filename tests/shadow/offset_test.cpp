@@ -4,33 +4,29 @@
 #include <gtest/gtest.h>
 
 #include "penumbra/shadow/record_hull.h"
-#include "tests/shadow/trial.h"
+#include "tests/shadow/offset_trials.h"
 
 namespace penumbra {
 namespace {
 
 using nasty::Random;
 
-Record record_of(const ShapeSet& shapes) {
-  return make_record(shapes, all_primitives(shapes).front(), 0);
-}
-
 Record ball(Vec3f center, float radius) {
   ShapeSet shapes;
   shapes.spheres.push_back({center, radius, 0});
-  return record_of(shapes);
+  return only_record(shapes);
 }
 
 Record cylinder(Vec3f base, Vec3f apex, float radius) {
   ShapeSet shapes;
   shapes.cones.push_back({base, apex, radius, radius, Caps::capped, 0});
-  return record_of(shapes);
+  return only_record(shapes);
 }
 
 Record ring(Vec3f center, float radius, float inner) {
   ShapeSet shapes;
   shapes.rings.push_back({center, {0, 0, 1}, radius, inner, 0});
-  return record_of(shapes);
+  return only_record(shapes);
 }
 
 Record triangle(Vec3f a, Vec3f b, Vec3f c) {
@@ -39,7 +35,7 @@ Record triangle(Vec3f a, Vec3f b, Vec3f c) {
   mesh.triangles = {{0, 1, 2}};
   ShapeSet shapes;
   shapes.meshes.push_back(mesh);
-  return record_of(shapes);
+  return only_record(shapes);
 }
 
 const Box scene{{-10, -10, -10}, {10, 10, 10}};
@@ -164,20 +160,20 @@ struct OwnPoints {
   int all = 0, decided = 0;
 };
 
-OwnPoints decided_by_horizon(const makers::ShapeMaker& maker, float least_height) {
+OwnPoints decided_by_horizon(const ShapeForm& form, float least_height) {
   OwnPoints count;
   for (std::uint64_t seed = 0; seed < 3'000; ++seed) {
     Random random(seed);
     const nasty::Place place = nasty::random_place(random);
-    const ShapeSet shapes = maker.make(place, random);
+    const ShapeSet shapes = random_shape(form, place, random);
     const Kernel kernel(shapes, {KernelKind::brute, {}});
-    const Record record = record_of(shapes);
+    const Record record = only_record(shapes);
     for (int i = 0; i < 8; ++i) {
-      const auto own = trial::own_point(shapes, kernel, place, random);
+      const auto own = trials::own_point(shapes, kernel, place, random);
       if (!own || (own->is_back && record.kind <= ShapeKind::cone)) continue;
       const Vec3f p = receiver_position(*own), n(own->normal);
-      const Vec3f across = cross(n, trial::random_direction(random));
-      const float size = place.scale * makers::power(random, -2, 0);
+      const Vec3f across = cross(n, trials::random_direction(random));
+      const float size = place.scale * random.power(-2, 0);
       const Vec3f center = p + across * (place.scale * random.uniform(0, 5)) +
                            n * (size + place.scale * least_height);
       Box all = bounds(record);
@@ -190,10 +186,10 @@ OwnPoints decided_by_horizon(const makers::ShapeMaker& maker, float least_height
 }
 
 TEST(Horizon, DecidesTheSurfaceThatPLiesOn) {
-  for (const makers::ShapeMaker& maker : makers::shapes()) {
-    const OwnPoints count = decided_by_horizon(maker, 0.1f);
-    EXPECT_GT(count.all, 1000) << maker.name;
-    EXPECT_GT(count.decided, count.all * 0.999) << maker.name;
+  for (const ShapeForm& form : shape_forms) {
+    const OwnPoints count = decided_by_horizon(form, 0.1f);
+    EXPECT_GT(count.all, 1000) << form.name;
+    EXPECT_GT(count.decided, count.all * 0.998) << form.name;
   }
 }
 

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Offsets against the judge: no sample that brute force calls blocked is ever proven free.
-#include <gtest/gtest.h>
-
-#include <tuple>
-
+#include "tests/shadow/offset_trials.h"
 #include "penumbra/shadow/offset.h"
 #include "penumbra/shadow/t_max.h"
-#include "tests/shadow/trial.h"
+#include "tests/shadow/light_rays.h"
+#include "tests/shadow/pairs.h"
 
 namespace penumbra {
 namespace {
 
 using nasty::Random;
 
-constexpr std::uint32_t sample_count = 16;
+constexpr std::uint32_t sample_count = 16, edge_count = 8;
 
 /// What brute force says of one trial.
 struct Verdict {
@@ -21,15 +19,13 @@ struct Verdict {
   double s = 0;  ///< every blocked sample is blocked at some s not above
 };
 
-Verdict judge(const Kernel& kernel, const LightHull& hull, const LightSamples& samples) {
-  const std::uint32_t all = (1u << sample_count) - 1;
-  std::uint32_t blocked = 0;
-  kernel.occluded(samples, {&all, 1}, {&blocked, 1});
+Verdict judge(const Kernel& kernel, const LightHull& hull, const LightSamples& rays) {
+  const std::uint32_t blocked = blocked_rays(kernel.records().front(), rays).front();
   Verdict verdict{.is_blocked = blocked != 0};
-  for (std::uint32_t i = 0; i < sample_count; ++i) {
+  for (std::uint32_t i = 0; i < rays.count; ++i) {
     if (!(blocked >> i & 1)) continue;
-    const Vec3f way{samples.x[i], samples.y[i], samples.z[i]};
-    const auto hit = kernel.closest({samples.origin, way, 0, samples.t_max}).hit;
+    const Vec3f way{rays.x[i], rays.y[i], rays.z[i]};
+    const auto hit = kernel.closest({rays.origin, way, 0, rays.t_max}).hit;
     double s = hit ? double(hit->t) : HUGE_VAL;
     // Suns: along their direction, over the reach.
     if (hull.is_sun()) s *= dot(Vec3d(way), hull.center({})) / length_squared(hull.center({}));
@@ -59,18 +55,17 @@ struct Count {
 
 Box around(Vec3f p, float by) { return {p - Vec3f{by, by, by}, p + Vec3f{by, by, by}}; }
 
-void run(const Kernel& kernel, const Record& record, const trial::Trial& trial,
-         const nasty::Place& place, Random& random, Count& count) {
+void run(const Kernel& kernel, const trials::OffsetTrial& trial, const nasty::Place& place,
+         Random& random, Count& count) {
   static const SamplePattern pattern(sample_count);
+  const Record& record = kernel.records().front();
   const Box shape = bounds(record);
   Box scene = shape;
   scene.add(trial.p);
   const LightHull hull(trial.light, scene);
-  LightSamples samples;
-  sample_light(trial.light, trial.p, pattern, random.below(1u << 31), samples);
-  const Verdict verdict = judge(kernel, hull, samples);
-  Box receivers =
-      around(trial.p, random.one_in(2) ? 0 : place.scale * makers::power(random, -3, 1));
+  const Verdict verdict =
+      judge(kernel, hull, judging_rays(trial.light, trial.p, pattern, edge_count, random));
+  Box receivers = around(trial.p, random.one_in(2) ? 0 : place.scale * random.power(-3, 1));
   if (random.one_in(4)) receivers.add(scene);
   const double reduced = t_max(shape, hull, receivers);
   ++count.trials;
@@ -90,18 +85,17 @@ void run(const Kernel& kernel, const Record& record, const trial::Trial& trial,
   }
 }
 
-Count run_pair(const makers::ShapeMaker& shape, const makers::LightMaker& light,
-               std::uint64_t trials, std::uint64_t first_seed) {
+Count run_pair(const ShapeForm& form, const char* light_kind, std::uint64_t trials,
+               std::uint64_t first_seed) {
   Count count;
   for (std::uint64_t seed = first_seed; count.trials < trials; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
     const nasty::Place place = nasty::random_place(random);
-    const ShapeSet shapes = shape.make(place, random);
+    const ShapeSet shapes = random_shape(form, place, random);
     const Kernel kernel(shapes, {KernelKind::brute, {}});
-    const Record record = make_record(shapes, all_primitives(shapes).front(), 0);
     for (int i = 0; i < 64; ++i) {
-      run(kernel, record, trial::random_trial(shapes, kernel, place, light, random), place, random,
+      run(kernel, trials::offset_trial(shapes, kernel, place, light_kind, random), place, random,
           count);
       if (testing::Test::HasFatalFailure()) return count;
     }
@@ -109,34 +103,23 @@ Count run_pair(const makers::ShapeMaker& shape, const makers::LightMaker& light,
   return count;
 }
 
-class OffsetTrials : public testing::TestWithParam<std::tuple<std::size_t, std::size_t>> {
- protected:
-  Count run(std::uint64_t trials, std::uint64_t first_seed) const {
-    const auto [shape, light] = GetParam();
-    return run_pair(makers::shapes()[shape], makers::lights()[light], trials, first_seed);
-  }
-};
-using SlowOffsetTrials = OffsetTrials;
+using OffsetTrials = EveryPair;
+using SlowOffsetTrials = EveryPair;
 
 TEST_P(OffsetTrials, NoBlockedSampleIsProvenFree) {
-  const Count count = run(12'000, 0);
+  const Count count = run_pair(form(), light_kind(), 4'000, 0);
   EXPECT_GT(count.free, count.trials / 4);
   EXPECT_LT(count.free, count.trials * 19 / 20);
   EXPECT_GT(count.proven, count.free / 3);
   EXPECT_GT(count.reduced, count.trials / 2);
 }
 
-TEST_P(SlowOffsetTrials, NoBlockedSampleIsProvenFree) { run(1'000'000, 1'000'000); }
-
-std::string name_of(const testing::TestParamInfo<std::tuple<std::size_t, std::size_t>>& info) {
-  const auto [shape, light] = info.param;
-  return std::string(makers::shapes()[shape].name) + makers::lights()[light].name;
+TEST_P(SlowOffsetTrials, NoBlockedSampleIsProvenFree) {
+  run_pair(form(), light_kind(), 1'000'000, 1'000'000);
 }
 
-const auto every_pair = testing::Combine(testing::Range(std::size_t{0}, makers::shapes().size()),
-                                         testing::Range(std::size_t{0}, makers::lights().size()));
-INSTANTIATE_TEST_SUITE_P(EachPair, OffsetTrials, every_pair, name_of);
-INSTANTIATE_TEST_SUITE_P(EachPair, SlowOffsetTrials, every_pair, name_of);
+INSTANTIATE_TEST_SUITE_P(Pairs, OffsetTrials, every_pair(), name_of_pair);
+INSTANTIATE_TEST_SUITE_P(Pairs, SlowOffsetTrials, every_pair(), name_of_pair);
 
 }  // namespace
 }  // namespace penumbra

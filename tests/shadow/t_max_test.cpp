@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/shadow/makers.h"
+#include "tests/shadow/light_kinds.h"
 
 namespace penumbra {
 namespace {
@@ -55,14 +55,14 @@ TEST(TMax, IsOneWhereNothingBoundsIt) {
 
 /// Random q, l and v, wherever that gives a receiver of the box.
 TEST(TMax, BoundsEveryShadow) {
-  std::vector<double> found(makers::lights().size()), bound(makers::lights().size());
+  std::vector<double> found(light_kinds.size()), bound(light_kinds.size());
   for (std::uint64_t seed = 0; seed < 20'000; ++seed) {
     Random random(seed);
-    const std::size_t which = seed % makers::lights().size();
+    const std::size_t which = seed % light_kinds.size();
     const nasty::Place place = nasty::random_place(random);
     const auto random_box = [&] {
       Box box;
-      const float size = makers::power(random, -2, 0);
+      const float size = random.power(-2, 0);
       const Vec3f middle = nasty::random_point(random);
       for (int i = 0; i < 2; ++i) box.add(place(middle + random.in_cube() * size));
       return box;
@@ -73,8 +73,8 @@ TEST(TMax, BoundsEveryShadow) {
     Box scene = receivers;
     scene.add(occluder);
     const LightHull light(
-        makers::lights()[which].make(place(random.in_cube() * 5.0f),
-                                     place.scale * makers::power(random, -2, 0), place({}), random),
+        make_light(light_kinds[which], random_form(random), Vec3d(place(random.in_cube() * 5.0f)),
+                   double(place.scale * random.power(-2, 0) / 2), place({})),
         scene);
     const double s_max = t_max(occluder, light, receivers);
     double farthest = 0;
@@ -96,7 +96,7 @@ TEST(TMax, BoundsEveryShadow) {
     if (farthest > 0) found[which] += farthest, bound[which] += s_max;
   }
   for (std::size_t i = 0; i < found.size(); ++i)
-    EXPECT_GT(found[i], 0.3 * bound[i]) << makers::lights()[i].name;
+    EXPECT_GT(found[i], 0.3 * bound[i]) << light_kinds[i];
 }
 
 }  // namespace
