@@ -74,19 +74,20 @@ Problem problem_with(const PolygonLight& light) {
   const Vec3d normal = polygon_normal(corners), n = normalize(normal);
   const double size = diameter(corners), slack = tolerance(corners) + 1e-3 * size;
   const auto at = [&](std::size_t i) { return Vec3d(corners[i % corners.size()]); };
+  // Height over the line through two corners, when it is the third.
+  const auto is_left = [&](Vec3d a, Vec3d b, Vec3d c) {
+    return dot(cross(b - a, c - a), n) >= -slack * length(b - a);
+  };
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    // Height over the line through two corners, when it is the third.
-    const auto is_left = [&](Vec3d a, Vec3d b, Vec3d c) {
-      return dot(cross(b - a, c - a), n) >= -slack * length(b - a);
-    };
     if (std::abs(dot(n, at(i) - Vec3d(light.center))) > slack)
       return LightProblem{"is not planar", "move its corners into one plane, or use mesh"};
-    if (!is_left(at(i), at(i + 1), Vec3d(light.center)))
-      return LightProblem{"has its centre outside", "take the centroid of its area"};
     if (!is_left(at(i), at(i + 1), at(i + 2)) || !is_left(at(0), at(i), at(i + 1)))
       return LightProblem{"is not convex with its corners in order",
                           "give them in order around it, or split it"};
   }
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    if (!is_left(at(i), at(i + 1), Vec3d(light.center)))
+      return LightProblem{"has its centre outside", "take the centroid of its area"};
   if (!(length(normal) > 1e-7 * size * size + tolerance(corners) * size))
     return LightProblem{"has no area, or its corners are out of order",
                         "give them in order around it; use line for corners in a row"};

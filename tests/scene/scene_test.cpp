@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "penumbra/scene/check_light.h"
 #include "penumbra/scene/error.h"
 #include "tests/geometry/light_shapes.h"
 
@@ -159,6 +160,21 @@ TEST(Validate, LightsMustHaveAShape) {
   EXPECT_NE(problem_after([](Scene& s) { light<PolygonLight>(s).center.z = 6; }), "");
   for (float bad : {-0.1f, nan, std::numbers::pi_v<float> / 2})
     EXPECT_NE(problem_after([&](Scene& s) { light<SunLight>(s).half_angle_rad = bad; }), "") << bad;
+}
+
+TEST(Validate, PolygonLightsHoldTheirCentreAndMayBeBentALittle) {
+  PolygonLight light{{0, 0, 5}, {{1, 0, 5}, {0, 1, 5.0005f}, {-1, 0, 5}, {0, -1, 5.0005f}}};
+  EXPECT_FALSE(problem_of(light));
+  light.center = {20, 0, 5};
+  EXPECT_TRUE(problem_of(light));
+}
+
+TEST(Validate, LightsFitTheScenesScale) {
+  Scene scene = good_scene();
+  scene.lights[0].shape = LineLight{{0, 0, 5}, {1e5f, 0, 0}};
+  EXPECT_NO_THROW(validate(scene));
+  scene.lights[0].shape = LineLight{{0, 0, 5}, {1e9f, 0, 0}};
+  EXPECT_THROW(validate(scene), Error);
 }
 
 TEST(Validate, MeshLightsMustBeClosedConvexAndOutward) {

@@ -2,6 +2,9 @@
 // What the proofs save: shadow rays traced by each method, at the paper's settings.
 #include <gtest/gtest.h>
 
+#include <ostream>
+#include <string>
+
 #include "penumbra/scene/complete_scene.h"
 #include "penumbra/scene/gallery.h"
 #include "penumbra/shadow/classify.h"
@@ -17,6 +20,8 @@ struct Expectation {
   LightRadius radius;
   double at_least;  ///< times fewer rays
 };
+
+std::ostream& operator<<(std::ostream& out, const Expectation& e) { return out << e.scene; }
 
 class ShadowRays : public testing::TestWithParam<Expectation> {};
 
