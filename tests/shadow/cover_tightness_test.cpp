@@ -2,6 +2,7 @@
 // How much of the true umbra of one occluder is proven, by pair of shape and light
 // (docs/method.md, How tight).
 #include <cstdio>
+#include <string>
 
 #include "penumbra/shadow/cover.h"
 #include "tests/shadow/cover_trials.h"
@@ -53,7 +54,8 @@ TEST_P(CoverTightness, MostUmbraOfOneOccluderIsProven) {
 TEST_P(SlowCoverTightness, MostUmbraOfOneOccluderIsProven) {
   const double share = proven_share(form(), light_kind(), 20'000);
   std::printf("umbra %-16s %-14s %.4f\n", form().name, light_kind(), share);
-  EXPECT_GT(share, 0.7);
+  // Slivers that are thinner than the margins can't be proven to hide anything.
+  EXPECT_GT(share, form().name == std::string("sliver") ? 0.5 : 0.85);
 }
 
 INSTANTIATE_TEST_SUITE_P(Pairs, CoverTightness, every_pair(), name_of_pair);
