@@ -14,7 +14,8 @@
 namespace penumbra::nasty {
 
 struct RandomScene {
-  ShapeSet shapes;
+  ShapeSet shapes;  ///< surface 1 casts no shadow
+  KernelOptions options{KernelKind::wide, {false, true}};
   std::vector<LightShape> lights;
   Place place;
 };
@@ -24,6 +25,17 @@ inline void append(ShapeSet&& from, ShapeSet& to) {
   to.cones.insert(to.cones.end(), from.cones.begin(), from.cones.end());
   to.rings.insert(to.rings.end(), from.rings.begin(), from.rings.end());
   for (Mesh& mesh : from.meshes) to.meshes.push_back(std::move(mesh));
+}
+
+/// Some shapes, and some triangles of meshes, cast no shadow.
+inline void make_some_clear(ShapeSet& shapes, Random& random) {
+  const auto clear = [&] { return random.one_in(8) ? 1u : 0u; };
+  for (Sphere& sphere : shapes.spheres) sphere.surface = clear();
+  for (Cone& cone : shapes.cones) cone.surface = clear();
+  for (Ring& ring : shapes.rings) ring.surface = clear();
+  for (Mesh& mesh : shapes.meshes)
+    if (random.one_in(3))
+      for (std::size_t t = 0; t < mesh.triangles.size(); ++t) mesh.surfaces.push_back(clear());
 }
 
 inline RandomScene random_scene(Random& random) {
@@ -37,6 +49,7 @@ inline RandomScene random_scene(Random& random) {
   if (random.one_in(2))
     if (Mesh mesh = nasty_mesh(scene.place, random); !mesh.triangles.empty())
       scene.shapes.meshes.push_back(std::move(mesh));
+  if (random.one_in(3)) make_some_clear(scene.shapes, random);
   for (std::uint32_t i = 0, lights = 1 + random.below(3); i < lights; ++i) {
     const Vec3f at = scene.place(random_point(random) * random.uniform(0.2f, 4));
     const double size = double(scene.place.scale * random.power(-3, 0.5f));

@@ -24,13 +24,13 @@ bool same(const Visibility& a, const Visibility& b) {
 bool agree(std::uint64_t seed, Tally& tally) {
   nasty::Random random(seed);
   const nasty::RandomScene scene = nasty::random_scene(random);
-  const KernelOptions by_brute{KernelKind::brute, {}};
-  const Kernel brute(scene.shapes, by_brute), wide(scene.shapes, {});
+  const KernelOptions by_brute{KernelKind::brute, scene.options.casts_no_shadow};
+  const Kernel brute(scene.shapes, by_brute), wide(scene.shapes, scene.options);
   const ShadowScene judge =
       prepare_shadows(brute, scene.shapes, by_brute, scene.lights, Method::stochastic);
   std::vector<ShadowScene> methods;
   for (const Method method : {Method::offset, Method::reduced, Method::umbra})
-    methods.push_back(prepare_shadows(wide, scene.shapes, {}, scene.lights, method));
+    methods.push_back(prepare_shadows(wide, scene.shapes, scene.options, scene.lights, method));
   VisibilityScratch scratch(1 + random.below(70));
   OccluderCache cache(scene.lights.size());
   ShadowCounters ignored;
