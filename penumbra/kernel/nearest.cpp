@@ -20,7 +20,7 @@ NearestRecord NearestWide(const WideTree& tree, const Ray& ray) {
   const hn::CappedTag<float, 1> d;
   const auto lanes = make_ray_lanes(d, hn::Set(d, ray.direction.x), hn::Set(d, ray.direction.y),
                                     hn::Set(d, ray.direction.z));
-  const Shaft shaft = make_shaft(ray.origin, ray.direction, ray.direction, ray.t_max);
+  const Shaft shaft = make_shaft(ray.origin, ray.direction, ray.t_max);
   Search search{{}, ray.t_min, ray.t_max};
   struct Entry {
     float near;

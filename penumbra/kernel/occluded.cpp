@@ -132,7 +132,7 @@ void traverse_alone(const WideTree& tree, const LightSamples& rays, std::uint32_
   const Vec3f direction{rays.x[index], rays.y[index], rays.z[index]};
   const auto ray =
       make_ray_lanes(d, hn::Set(d, direction.x), hn::Set(d, direction.y), hn::Set(d, direction.z));
-  const Shaft shaft = make_shaft(rays.origin, direction, direction, rays.t_max);
+  const Shaft shaft = make_shaft(rays.origin, direction, rays.t_max);
   const auto t_max = hn::Set(d, rays.t_max);
   walk_from(tree.nodes, start, shaft, [&](std::uint32_t first, std::uint32_t count) {
     for (std::uint32_t i = first; i < first + count; ++i) {

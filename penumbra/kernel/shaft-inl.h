@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Shaft against the eight boxes of a node. A shaft is all rays from one origin whose directions lie
-// in a box of directions; a single ray is the shaft whose box is a point.
+// Shaft against the eight boxes of a node. A shaft is bounded, along each axis and at each parameter
+// t, by two lines: [P0 + t D0, P1 + t D1]. Two kinds are asked for:
+//   - all rays from one origin (P0 = P1) whose directions lie in a box [D0, D1]; a single ray is the
+//     one whose box is a point. For every ray of it that meets a record under a box in the sense of
+//     intersect-inl.h the test passes, exactly: reciprocal, product and padding are monotone under
+//     rounding.
+//   - the hull of a box of receivers [P0, P1] and a box of targets [L0, L1], with D = L - P
+//     (Haines & Wallace 1991). The padding of boxes is far above what float loses of it.
 //
-// Along each axis the shaft's extent at parameter t is [t D0, t D1] (relative to the origin), which
-// overlaps a box's [lo, hi] where t D1 >= lo and t D0 <= hi: two half-lines, each bounding t from
-// the side that the sign of its own slope says. For every ray of the shaft that meets a record
-// under the box in the sense of intersect-inl.h the test passes, exactly: reciprocal, product and
-// padding are monotone under rounding.
+// The extent overlaps a box's [lo, hi] where P1 + t D1 >= lo and P0 + t D0 <= hi: two half-lines,
+// each bounding t from the side that the sign of its own slope says.
 //
 // Highway "inl" header: included once for each instruction set.
 
@@ -28,24 +31,24 @@
 HWY_BEFORE_NAMESPACE();
 namespace penumbra::HWY_NAMESPACE {
 
-/// How the slopes D0 <= D1 of an axis lie to 0: decides which end of t each half-line bounds.
-enum class Slopes : std::uint8_t { rising, falling, widening };
+/// How the slopes D0 and D1 of an axis lie to 0: decides which end of t each half-line bounds.
+enum class Slopes : std::uint8_t { rising, falling, widening, narrowing };
 
 struct Shaft {
-  Vec3f origin;
+  Vec3f least_origin, most_origin;  // P0, P1
   float t_max;
   Slopes slopes[3];
   float inverse_least[3], inverse_most[3];  // 1 / D0, 1 / D1
   float spread;                             // the largest D1 - D0
 };
 
-HWY_INLINE Shaft make_shaft(Vec3f origin, Vec3f least, Vec3f most, float t_max) {
+HWY_INLINE Shaft make_shaft(const Box& origins, Vec3f least, Vec3f most, float t_max) {
   const hn::CappedTag<float, 1> d;
-  Shaft shaft{origin, t_max, {}, {}, {}, max_abs(most - least)};
+  Shaft shaft{origins.lo, origins.hi, t_max, {}, {}, {}, max_abs(most - least)};
   for (int axis = 0; axis < 3; ++axis) {
-    shaft.slopes[axis] = least[axis] >= 0  ? Slopes::rising
-                         : most[axis] >= 0 ? Slopes::widening
-                                           : Slopes::falling;
+    const bool falls = !(most[axis] >= 0);
+    shaft.slopes[axis] = least[axis] >= 0 ? (falls ? Slopes::narrowing : Slopes::rising)
+                                          : (falls ? Slopes::falling : Slopes::widening);
     shaft.inverse_least[axis] = hn::GetLane(safe_reciprocal(d, hn::Set(d, least[axis])));
     shaft.inverse_most[axis] = hn::GetLane(safe_reciprocal(d, hn::Set(d, most[axis])));
   }
@@ -60,7 +63,12 @@ inline Shaft make_shaft(const LightSamples& rays, std::uint32_t first, std::uint
     const Vec3f direction{rays.x[i], rays.y[i], rays.z[i]};
     least = min(least, direction), most = max(most, direction);
   }
-  return make_shaft(rays.origin, least, most, rays.t_max);
+  return make_shaft({rays.origin, rays.origin}, least, most, rays.t_max);
+}
+
+/// A single ray.
+HWY_INLINE Shaft make_shaft(Vec3f origin, Vec3f direction, float t_max) {
+  return make_shaft({origin, origin}, direction, direction, t_max);
 }
 
 /// Children of a node that a shaft meets, as bit masks.
@@ -78,9 +86,8 @@ HWY_INLINE Overlap overlap(const Shaft& shaft, const WideNode& node, float* near
     V lo[3], hi[3];
     V reach = hn::Zero(d);
     for (int axis = 0; axis < 3; ++axis) {
-      const V origin = hn::Set(d, shaft.origin[axis]);
-      lo[axis] = hn::Sub(hn::Load(d, node.lo[axis] + first), origin);
-      hi[axis] = hn::Sub(hn::Load(d, node.hi[axis] + first), origin);
+      lo[axis] = hn::Sub(hn::Load(d, node.lo[axis] + first), hn::Set(d, shaft.most_origin[axis]));
+      hi[axis] = hn::Sub(hn::Load(d, node.hi[axis] + first), hn::Set(d, shaft.least_origin[axis]));
       reach = hn::Max(reach, hn::Max(hn::Abs(lo[axis]), hn::Abs(hi[axis])));
     }
     const V pad = hn::Mul(hn::Set(d, box_pad), reach);
@@ -92,6 +99,7 @@ HWY_INLINE Overlap overlap(const Shaft& shaft, const WideNode& node, float* near
         case Slopes::rising: near = hn::Max(near, at_lo), far = hn::Min(far, at_hi); break;
         case Slopes::falling: near = hn::Max(near, at_hi), far = hn::Min(far, at_lo); break;
         case Slopes::widening: near = hn::Max(near, hn::Max(at_lo, at_hi)); break;
+        case Slopes::narrowing: far = hn::Min(far, hn::Min(at_lo, at_hi)); break;
       }
     }
     hn::Store(near, d, near_out + first);

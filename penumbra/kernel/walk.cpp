@@ -17,7 +17,7 @@ namespace penumbra::HWY_NAMESPACE {
 
 bool Walk(std::span<const WideNode> nodes, const Ray& ray, VisitLeaf leaf, void* context) {
   if (nodes.empty()) return false;
-  const Shaft shaft = make_shaft(ray.origin, ray.direction, ray.direction, ray.t_max);
+  const Shaft shaft = make_shaft(ray.origin, ray.direction, ray.t_max);
   return walk_from(nodes, NodeRef::inner(0), shaft, [&](std::uint32_t first, std::uint32_t count) {
     return leaf(context, first, count);
   });
