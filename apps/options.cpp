@@ -64,7 +64,7 @@ Value choose(std::string_view text, std::span<const Choice<Value>> choices) {
 constexpr std::array methods = {
     Choice<Method>{"hard", Method::hard}, Choice<Method>{"stochastic", Method::stochastic},
     Choice<Method>{"offset", Method::offset}, Choice<Method>{"reduced", Method::reduced},
-    Choice<Method>{"umbra", Method::umbra}};
+    Choice<Method>{"umbra", Method::umbra}, Choice<Method>{"shaft", Method::shaft}};
 
 }  // namespace
 

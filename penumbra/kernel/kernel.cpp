@@ -85,6 +85,8 @@ OccludedReport Kernel::occluded(const LightSamples& rays, std::span<const std::u
 
 std::span<const Record> Kernel::records() const { return data_->tree.records; }
 
+std::span<const WideNode> Kernel::nodes() const { return data_->tree.nodes; }
+
 std::size_t Kernel::memory_bytes() const { return data_->tree.memory_bytes(); }
 
 Box Kernel::bounds() const { return data_->box; }

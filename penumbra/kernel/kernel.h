@@ -66,6 +66,9 @@ class Kernel {
   /// The shapes in the form that is traversed, in an order of the kernel's own.
   std::span<const Record> records() const;
 
+  /// The hierarchy over them, for `walk`; empty for brute force.
+  std::span<const WideNode> nodes() const;
+
   std::size_t memory_bytes() const;
   Box bounds() const;
 

@@ -207,6 +207,28 @@ OccludedReport OccludedWide(const WideTree& tree, const LightSamples& rays,
   return progress.report;
 }
 
+OccludedReport OccludedAmong(std::span<const Record> records, std::span<const std::uint32_t> list,
+                             const LightSamples& rays, std::span<const std::uint32_t> active,
+                             std::span<std::uint32_t> blocked) {
+  OccludedReport report;
+  for (std::uint32_t word = 0; 32 * word < rays.count; ++word) {
+    blocked[word] = 0;
+    std::uint32_t wanted = active[word];
+    if (wanted == 0) continue;
+    const Packet packet(rays, 32 * word);
+    for (const std::uint32_t index : list) {
+      report.tests += static_cast<std::uint64_t>(__builtin_popcount(wanted));
+      const std::uint32_t hit = blocked_by(records[index], packet, wanted);
+      if (hit == 0) continue;
+      report.blocker = index;
+      wanted &= ~hit;
+      if (wanted == 0) break;
+    }
+    blocked[word] = active[word] & ~wanted;
+  }
+  return report;
+}
+
 void OccludedByOne(const Record& record, const LightSamples& rays,
                    std::span<const std::uint32_t> active, std::span<std::uint32_t> blocked) {
   for (std::uint32_t word = 0; 32 * word < rays.count; ++word)
@@ -221,11 +243,18 @@ HWY_AFTER_NAMESPACE();
 namespace penumbra {
 
 HWY_EXPORT(OccludedWide);
+HWY_EXPORT(OccludedAmong);
 HWY_EXPORT(OccludedByOne);
 
 OccludedReport occluded(const WideTree& tree, const LightSamples& rays,
                         std::span<const std::uint32_t> active, std::span<std::uint32_t> blocked) {
   return HWY_DYNAMIC_DISPATCH(OccludedWide)(tree, rays, active, blocked);
+}
+
+OccludedReport occluded_among(std::span<const Record> records, std::span<const std::uint32_t> list,
+                              const LightSamples& rays, std::span<const std::uint32_t> active,
+                              std::span<std::uint32_t> blocked) {
+  return HWY_DYNAMIC_DISPATCH(OccludedAmong)(records, list, rays, active, blocked);
 }
 
 void occluded_by(const Record& record, const LightSamples& rays,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Shaft against the eight boxes of a node. A shaft is bounded, along each axis and at each parameter
-// t, by two lines: [P0 + t D0, P1 + t D1]. Two kinds are asked for:
-//   - all rays from one origin (P0 = P1) whose directions lie in a box [D0, D1]; a single ray is the
+// Shaft against the eight boxes of a node. A shaft is bounded, along each axis and at each
+// parameter t, by two lines: [P0 + t D0, P1 + t D1]. Two kinds are asked for:
+//   - all rays from one origin (P0 = P1) whose directions lie in a box [D0, D1]; a single ray is
+//   the
 //     one whose box is a point. For every ray of it that meets a record under a box in the sense of
 //     intersect-inl.h the test passes, exactly: reciprocal, product and padding are monotone under
 //     rounding.

@@ -34,6 +34,11 @@ NearestRecord nearest(const WideTree& tree, const Ray& ray);
 OccludedReport occluded(const WideTree& tree, const LightSamples& rays,
                         std::span<const std::uint32_t> active, std::span<std::uint32_t> blocked);
 
+/// Any hit against the records of a list alone, in its order.
+OccludedReport occluded_among(std::span<const Record> records, std::span<const std::uint32_t> list,
+                              const LightSamples& rays, std::span<const std::uint32_t> active,
+                              std::span<std::uint32_t> blocked);
+
 /// The active rays that one record blocks.
 void occluded_by(const Record& record, const LightSamples& rays,
                  std::span<const std::uint32_t> active, std::span<std::uint32_t> blocked);
@@ -45,13 +50,25 @@ void occluded_by(const Record& record, const LightSamples& rays,
 using VisitLeaf = bool (*)(void* context, std::uint32_t first, std::uint32_t count);
 bool walk(std::span<const WideNode> nodes, const Ray& ray, VisitLeaf leaf, void* context);
 
-/// The same for a callable bool(first, count).
-template <class Leaf>
-bool walk(std::span<const WideNode> nodes, const Ray& ray, Leaf leaf) {
+/// The hull of a box of receiver points and a convex set of targets, as boxes see it: at t in [0,
+/// 1] it reaches along each axis from receivers.lo + t least to receivers.hi + t most. For targets
+/// in a box, least and most are its corners minus those of the receivers; where the targets move
+/// with p (a sun), the box of what is added to it.
+struct ShaftBounds {
+  Box receivers;
+  Vec3f least, most;
+};
+
+/// The leaves that a shaft may pass.
+bool walk(std::span<const WideNode> nodes, const ShaftBounds& shaft, VisitLeaf leaf, void* context);
+
+/// Either, for a callable bool(first, count).
+template <class Query, class Leaf>
+bool walk(std::span<const WideNode> nodes, const Query& query, Leaf leaf) {
   const auto call = [](void* context, std::uint32_t first, std::uint32_t count) -> bool {
     return (*static_cast<Leaf*>(context))(first, count);
   };
-  return walk(nodes, ray, call, &leaf);
+  return walk(nodes, query, call, &leaf);
 }
 
 // One ray and one record at a time, on the compiler's baseline instruction set: the judge.

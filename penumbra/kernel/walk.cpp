@@ -23,6 +23,15 @@ bool Walk(std::span<const WideNode> nodes, const Ray& ray, VisitLeaf leaf, void*
   });
 }
 
+bool WalkShaft(std::span<const WideNode> nodes, const ShaftBounds& bounds, VisitLeaf leaf,
+               void* context) {
+  if (nodes.empty()) return false;
+  const Shaft shaft = make_shaft(bounds.receivers, bounds.least, bounds.most, 1);
+  return walk_from(nodes, NodeRef::inner(0), shaft, [&](std::uint32_t first, std::uint32_t count) {
+    return leaf(context, first, count);
+  });
+}
+
 }  // namespace penumbra::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -33,6 +42,13 @@ HWY_EXPORT(Walk);
 
 bool walk(std::span<const WideNode> nodes, const Ray& ray, VisitLeaf leaf, void* context) {
   return HWY_DYNAMIC_DISPATCH(Walk)(nodes, ray, leaf, context);
+}
+
+HWY_EXPORT(WalkShaft);
+
+bool walk(std::span<const WideNode> nodes, const ShaftBounds& shaft, VisitLeaf leaf,
+          void* context) {
+  return HWY_DYNAMIC_DISPATCH(WalkShaft)(nodes, shaft, leaf, context);
 }
 
 }  // namespace penumbra

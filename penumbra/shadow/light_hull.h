@@ -48,6 +48,9 @@ class LightHull {
 
   bool is_ball() const { return corners_.empty(); }
   bool is_sun() const { return is_sun_; }
+  /// Disks, and suns as disks; `normal` is theirs, unit.
+  bool is_disk() const { return is_disk_; }
+  Vec3d normal() const { return normal_; }
 
  private:
   Vec3d center_;  // suns: reach * direction

@@ -31,7 +31,7 @@ ShadowScene prepare_shadows(const Kernel& kernel, const ShapeSet& shapes,
     scene.set = build_shadow_set(kernel.records(), scene.hulls,
                                  method == Method::offset ? Offsets::full : Offsets::reduced,
                                  scene.receivers);
-  if (method == Method::umbra)
+  if (method == Method::umbra || method == Method::shaft)
     scene.inner = InnerVolumes(shapes, options.casts_no_shadow, scene.hulls);
   return scene;
 }

@@ -19,14 +19,19 @@ namespace penumbra {
 /// stochastic: d rays for every point and light, the judge of all others;
 /// offset: rays only where the shadow set says so;
 /// reduced: the same with offsets reduced by t_max;
-/// umbra: reduced, plus inner offsets, for solids, flat shapes and meshes.
+/// umbra: reduced, plus inner offsets, for solids, flat shapes and meshes;
+/// and beyond it
+/// shaft: one query of the geometry set for a tile of receivers; no second set.
 /// All but hard give the same visibility, bit for bit.
-enum class Method { hard, stochastic, offset, reduced, umbra };
+enum class Method { hard, stochastic, offset, reduced, umbra, shaft };
 
 /// True for methods that prove lit points by a shadow set.
 constexpr bool has_shadow_set(Method method) {
   return method == Method::offset || method == Method::reduced || method == Method::umbra;
 }
+
+/// True for methods that prove points lit or in umbra, without samples.
+constexpr bool proves(Method method) { return has_shadow_set(method) || method == Method::shaft; }
 
 /// Refers to the kernel, which must live as long.
 struct ShadowScene {
@@ -36,7 +41,7 @@ struct ShadowScene {
   std::vector<LightHull> hulls;  ///< of the lights
   Box receivers;                 ///< holds p' of every surface; nothing is proven of other points
   ShadowSet set;                 ///< empty unless the method has one
-  InnerVolumes inner;            ///< of meshes; empty unless the method is `umbra`
+  InnerVolumes inner;            ///< of meshes; empty unless the method is `umbra` or `shaft`
 
   /// Of what is prepared here beside the kernel: Table 3's shadow set.
   std::size_t memory_bytes() const { return set.memory_bytes() + inner.memory_bytes(); }

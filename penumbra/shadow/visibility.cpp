@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "penumbra/shadow/classify.h"
+#include "penumbra/shadow/samples.h"
+#include "penumbra/shadow/shaft.h"
 
 namespace penumbra {
 
@@ -20,55 +22,6 @@ std::uint64_t light_key(std::uint64_t point_key, std::uint32_t light_index) {
 }
 
 namespace {
-
-/// The one ray of `hard`: to the centre.
-void aim_at_center(const LightShape& light, Vec3f p, LightSamples& out) {
-  const Vec3f to = towards_center(light, p);
-  out.resize(1);
-  out.origin = p;
-  out.t_max = center(light) ? 1.0f : std::numeric_limits<float>::infinity();
-  std::fill(out.x.begin(), out.x.end(), to.x);
-  std::fill(out.y.begin(), out.y.end(), to.y);
-  std::fill(out.z.begin(), out.z.end(), to.z);
-}
-
-/// Cosine of each sample, and a bit for each that lies above the horizon. NaN lies below it.
-std::uint32_t weigh(const Vec3f normal, VisibilityScratch& scratch) {
-  const LightSamples& s = scratch.samples;
-  scratch.weight.resize(s.count);
-  scratch.active.assign((s.count + 31) / 32, 0);
-  scratch.blocked.resize(scratch.active.size());
-  std::uint32_t above = 0;
-  for (std::uint32_t i = 0; i < s.count; ++i) {
-    const float along = normal.x * s.x[i] + normal.y * s.y[i] + normal.z * s.z[i];
-    const float square = s.x[i] * s.x[i] + s.y[i] * s.y[i] + s.z[i] * s.z[i];
-    scratch.weight[i] = along / std::sqrt(square);
-    if (!(along > 0)) continue;
-    scratch.active[i / 32] |= 1u << i % 32;
-    ++above;
-  }
-  return above;
-}
-
-/// Sums in sample order.
-Visibility sum_up(const VisibilityScratch& scratch) {
-  double all = 0, free = 0;
-  std::uint32_t free_count = 0;
-  for (std::uint32_t i = 0; i < scratch.samples.count; ++i) {
-    const std::uint32_t bit = 1u << i % 32;
-    if (!(scratch.active[i / 32] & bit)) continue;
-    all += scratch.weight[i];
-    if (scratch.blocked[i / 32] & bit) continue;
-    free += scratch.weight[i];
-    ++free_count;
-  }
-  Visibility result;
-  result.fraction = static_cast<float>(free_count) / static_cast<float>(scratch.samples.count);
-  const double ratio = free / all;
-  result.cosine_weighted =
-      all > 0 && std::isfinite(ratio) ? static_cast<float>(ratio) : result.fraction;
-  return result;
-}
 
 std::uint64_t count_bits(const std::vector<std::uint32_t>& words) {
   std::uint64_t bits = 0;
@@ -100,16 +53,20 @@ void ask_cache(const Kernel& kernel, OccluderQueue& queue, VisibilityScratch& sc
   }
 }
 
-/// Fills `blocked` for the active rays; returns how many were traced.
-std::uint64_t trace(const Kernel& kernel, OccluderQueue& queue, VisibilityScratch& scratch,
-                    ShadowCounters& counters) {
+/// Fills `blocked` for the active rays, by the cache, then by the candidates or the whole geometry
+/// set; returns how many were traced.
+std::uint64_t trace(const Kernel& kernel, const Proof& proof, OccluderQueue& queue,
+                    VisibilityScratch& scratch, ShadowCounters& counters) {
   scratch.remaining = scratch.active;
   scratch.by_one.resize(scratch.active.size());
   std::fill(scratch.blocked.begin(), scratch.blocked.end(), 0u);
-  ask_cache(kernel, queue, scratch, counters);
+  if (!proof.has_candidates) ask_cache(kernel, queue, scratch, counters);
   const std::uint64_t rays = count_bits(scratch.remaining);
   if (rays == 0) return 0;
-  const OccludedReport report = kernel.occluded(scratch.samples, scratch.remaining, scratch.by_one);
+  const OccludedReport report =
+      proof.has_candidates ? occluded_among(kernel.records(), proof.candidates, scratch.samples,
+                                            scratch.remaining, scratch.by_one)
+                           : kernel.occluded(scratch.samples, scratch.remaining, scratch.by_one);
   counters.rays += rays;
   counters.tests += report.tests;
   for (std::size_t i = 0; i < scratch.blocked.size(); ++i) scratch.blocked[i] |= scratch.by_one[i];
@@ -128,29 +85,97 @@ void count(ShadowClass shadow_class, ShadowCounters& counters) {
   }
 }
 
-/// Directions to the light's samples, and which lie above the horizon; returns their number.
-std::uint32_t take_samples(const ShadowScene& scene, std::uint32_t light, const Receiver& receiver,
-                           std::uint64_t key, VisibilityScratch& scratch) {
-  const LightShape& shape = scene.lights[light];
-  const SamplePattern& pattern =
-      std::holds_alternative<PointLight>(shape) ? scratch.center : scratch.pattern;
-  if (scene.method == Method::hard)
-    aim_at_center(shape, receiver.position, scratch.samples);
-  else
-    sample_light(shape, receiver.position, pattern, key, scratch.samples);
-  return weigh(receiver.normal, scratch);
-}
-
-/// All samples are sure to be above the horizon, in float too, however they will be rounded.
-bool is_surely_above(const LightHull& light, const Receiver& receiver) {
-  const double distance = length(light.center(receiver.position) - Vec3d(receiver.position));
-  const bool is_safe = distance > 1e-15 && distance < 1e15;  // squares stay in float's range
-  return is_safe && light.least_height(receiver.position, Vec3d(receiver.normal)) > 0;
-}
-
 ShadowClass class_by_samples(const VisibilityScratch& scratch, const Visibility& seen) {
   if (seen.fraction == 0) return ShadowClass::umbra;
   return count_bits(scratch.blocked) > 0 ? ShadowClass::penumbra : ShadowClass::lit;
+}
+
+/// `prove` is asked where there may be a proof.
+template <class Prove>
+Visibility answer(const ShadowScene& scene, std::uint32_t light, const ShadowQuery& query,
+                  Prove&& prove, OccluderQueue& queue, VisibilityScratch& scratch,
+                  ShadowCounters& counters) {
+  const Receiver& receiver = query.receiver;
+  const bool is_doubtful = !is_finite(receiver.position) || !is_finite(receiver.normal) ||
+                           contains(scene.lights[light], receiver.position);
+  const bool may_prove = proves(scene.method) && !is_doubtful &&
+                         !std::holds_alternative<PointLight>(scene.lights[light]);
+  // Where nothing needs the samples they are not taken.
+  const bool is_above = may_prove && is_surely_above(scene.hulls[light], receiver);
+  if (!is_above && take_samples(scene, light, receiver, query.key, scratch) == 0)
+    return {0, 0, is_doubtful ? ShadowClass::penumbra : ShadowClass::umbra};
+
+  const Proof proof = may_prove ? prove() : Proof{};
+  Visibility result;
+  std::uint64_t rays = 0;
+  if (proof.shadow_class == ShadowClass::umbra) {
+    result = {0, 0, ShadowClass::umbra};
+  } else if (proof.shadow_class == ShadowClass::lit && is_above) {
+    result = {1, 1, ShadowClass::lit};
+  } else {
+    if (is_above) take_samples(scene, light, receiver, query.key, scratch);
+    if (proof.shadow_class == ShadowClass::lit)
+      std::fill(scratch.blocked.begin(), scratch.blocked.end(), 0u);
+    else
+      rays = trace(*scene.kernel, proof, queue, scratch, counters);
+    result = sum_up(scratch);
+    result.shadow_class =
+        may_prove || is_doubtful ? proof.shadow_class : class_by_samples(scratch, result);
+  }
+  result.rays = static_cast<std::uint32_t>(rays);
+  count(result.shadow_class, counters);
+  return result;
+}
+
+/// A tile of neighbours shares one query; where that finds too much to list, quarters of it ask
+/// again.
+class TileByShaft {
+ public:
+  TileByShaft(const ShadowScene& scene, std::uint32_t light, OccluderQueue& queue,
+              VisibilityScratch& scratch, ShadowCounters& counters)
+      : scene_(scene), light_(light), queue_(queue), scratch_(scratch), counters_(counters) {}
+
+  void answer_all(std::span<const ShadowQuery> tile, std::span<Visibility> seen) {
+    Box receivers;
+    for (const ShadowQuery& query : tile) receivers.add(query.receiver.position);
+    ++counters_.set_rays;
+    const bool has_list = gather_candidates(scene_, light_, receivers, most_candidates,
+                                            scratch_.shaft.tile, counters_.set_tests);
+    if (!has_list && tile.size() > 1) {
+      const std::size_t part = (tile.size() + 3) / 4;
+      for (std::size_t first = 0; first < tile.size(); first += part) {
+        const std::size_t count = std::min(part, tile.size() - first);
+        answer_all(tile.subspan(first, count), seen.subspan(first, count));
+      }
+      return;
+    }
+    for (std::size_t i = 0; i < tile.size(); ++i) {
+      const Vec3f p = tile[i].receiver.position;
+      const auto prove = [&] {
+        return has_list ? prove_by_candidates(scene_, light_, p, queue_, scratch_.shaft) : Proof{};
+      };
+      seen[i] = answer(scene_, light_, tile[i], prove, queue_, scratch_, counters_);
+    }
+  }
+
+ private:
+  static constexpr std::size_t most_candidates = 256;
+  const ShadowScene& scene_;
+  std::uint32_t light_;
+  OccluderQueue& queue_;
+  VisibilityScratch& scratch_;
+  ShadowCounters& counters_;
+};
+
+void by_shaft(const ShadowScene& scene, std::uint32_t light, std::span<const ShadowQuery> queries,
+              OccluderQueue& queue, VisibilityScratch& scratch, ShadowCounters& counters,
+              std::span<Visibility> seen) {
+  constexpr std::size_t tile_size = 16;
+  TileByShaft tiles(scene, light, queue, scratch, counters);
+  for (std::size_t first = 0; first < queries.size(); first += tile_size) {
+    const std::size_t count = std::min(tile_size, queries.size() - first);
+    tiles.answer_all(queries.subspan(first, count), seen.subspan(first, count));
+  }
 }
 
 }  // namespace
@@ -158,46 +183,27 @@ ShadowClass class_by_samples(const VisibilityScratch& scratch, const Visibility&
 Visibility visibility(const ShadowScene& scene, std::uint32_t light, const Receiver& receiver,
                       std::uint64_t key, OccluderQueue& queue, VisibilityScratch& scratch,
                       ShadowCounters& counters) {
-  const bool is_doubtful = !is_finite(receiver.position) || !is_finite(receiver.normal) ||
-                           contains(scene.lights[light], receiver.position);
-  const bool may_prove = has_shadow_set(scene.method) && !is_doubtful &&
-                         !std::holds_alternative<PointLight>(scene.lights[light]);
-  // Where nothing needs the samples they are not taken.
-  const bool is_above = may_prove && is_surely_above(scene.hulls[light], receiver);
-  if (!is_above && take_samples(scene, light, receiver, key, scratch) == 0)
-    return {0, 0, is_doubtful ? ShadowClass::penumbra : ShadowClass::umbra};
-
-  const ShadowClass proven = may_prove
-                                 ? classify(scene, light, receiver.position,
-                                            proof_budget(scratch.pattern.size()), queue, counters)
-                                 : ShadowClass::penumbra;
-  Visibility result;
-  std::uint64_t rays = 0;
-  if (proven == ShadowClass::umbra) {
-    result = {0, 0, proven};
-  } else if (proven == ShadowClass::lit && is_above) {
-    result = {1, 1, proven};
-  } else {
-    if (is_above) take_samples(scene, light, receiver, key, scratch);
-    if (proven == ShadowClass::lit)
-      std::fill(scratch.blocked.begin(), scratch.blocked.end(), 0u);
-    else
-      rays = trace(*scene.kernel, queue, scratch, counters);
-    result = sum_up(scratch);
-    result.shadow_class = may_prove || is_doubtful ? proven : class_by_samples(scratch, result);
-  }
-  result.rays = static_cast<std::uint32_t>(rays);
-  count(result.shadow_class, counters);
-  return result;
+  Visibility seen;
+  const ShadowQuery query{receiver, key};
+  visibilities(scene, light, {&query, 1}, queue, scratch, counters, {&seen, 1});
+  return seen;
 }
 
 void visibilities(const ShadowScene& scene, std::uint32_t light,
                   std::span<const ShadowQuery> queries, OccluderQueue& queue,
                   VisibilityScratch& scratch, ShadowCounters& counters,
                   std::span<Visibility> seen) {
+  if (scene.method == Method::shaft)
+    return by_shaft(scene, light, queries, queue, scratch, counters, seen);
+  const ProofBudget budget = proof_budget(scratch.pattern.size());
   for (std::size_t i = 0; i < queries.size(); ++i)
-    seen[i] =
-        visibility(scene, light, queries[i].receiver, queries[i].key, queue, scratch, counters);
+    seen[i] = answer(
+        scene, light, queries[i],
+        [&] {
+          return Proof{
+              classify(scene, light, queries[i].receiver.position, budget, queue, counters), false, {}};
+        },
+        queue, scratch, counters);
 }
 
 }  // namespace penumbra

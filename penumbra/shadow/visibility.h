@@ -9,13 +9,11 @@
 
 #include "penumbra/geometry/light_sampling.h"
 #include "penumbra/shadow/occluder_cache.h"
+#include "penumbra/shadow/proof.h"
 #include "penumbra/shadow/shadow_scene.h"
+#include "penumbra/shadow/shaft.h"
 
 namespace penumbra {
-
-/// Class of (point, light). lit and umbra are proofs, except that `stochastic` and `hard` class by
-/// their samples: umbra when no sample is free, lit when no ray is blocked.
-enum class ShadowClass : std::uint8_t { lit = 0, penumbra = 1, umbra = 2 };
 
 /// Exact integers. A query is a (point, light) with at least one sample above the point's horizon.
 struct ShadowCounters {
@@ -57,6 +55,7 @@ struct VisibilityScratch {
   LightSamples samples;
   std::vector<float> weight;
   std::vector<std::uint32_t> active, remaining, blocked, by_one;
+  ShaftScratch shaft;
 };
 
 /// The visible part of one light (an index into the scene's) from one receiver. Samples are taken
