@@ -182,6 +182,16 @@ void SampleRectangle(const RectangleSampling& rectangle, SampleArrays samples) {
   }
 }
 
+void WeighDirections(Vec3f normal, const float* __restrict xs, const float* __restrict ys,
+                     const float* __restrict zs, std::size_t count, float* __restrict weight) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const float x = xs[i], y = ys[i], z = zs[i];
+    const float along = normal.x * x + normal.y * y + normal.z * z;
+    const float cosine = along / std::sqrt(x * x + y * y + z * z);
+    weight[i] = along > 0 ? cosine : -1;
+  }
+}
+
 }  // namespace
 }  // namespace penumbra::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -195,6 +205,7 @@ HWY_EXPORT(SampleBall);
 HWY_EXPORT(SampleBallFromInside);
 HWY_EXPORT(SampleArea);
 HWY_EXPORT(SampleRectangle);
+HWY_EXPORT(WeighDirections);
 
 void scramble_to_units(const std::uint32_t* reversed, std::size_t count, OwenScramble scramble,
                        float* units) {
@@ -219,6 +230,11 @@ void sample_area(const AreaSampling& area, SampleArrays samples) {
 
 void sample_rectangle(const RectangleSampling& rectangle, SampleArrays samples) {
   HWY_DYNAMIC_DISPATCH(SampleRectangle)(rectangle, samples);
+}
+
+void weigh_directions(Vec3f normal, const float* x, const float* y, const float* z,
+                      std::size_t count, float* weight) {
+  HWY_DYNAMIC_DISPATCH(WeighDirections)(normal, x, y, z, count, weight);
 }
 
 }  // namespace penumbra

@@ -82,4 +82,8 @@ struct RectangleSampling {
 };
 void sample_rectangle(const RectangleSampling& rectangle, SampleArrays samples);
 
+/// Cosine between each direction and a unit normal; -1 where that is not above 0, and for NaN.
+void weigh_directions(Vec3f normal, const float* x, const float* y, const float* z,
+                      std::size_t count, float* weight);
+
 }  // namespace penumbra

@@ -11,6 +11,7 @@ struct Kernel::Data {
   std::vector<std::uint32_t>
       begin;  // id of the first primitive of: spheres, cones, rings, then each mesh
   Box box;
+  NearestRecord nearest_to(const Ray& ray) const;
 };
 
 namespace {
@@ -67,10 +68,17 @@ Kernel::~Kernel() = default;
 Kernel::Kernel(Kernel&&) noexcept = default;
 Kernel& Kernel::operator=(Kernel&&) noexcept = default;
 
+NearestRecord Kernel::Data::nearest_to(const Ray& ray) const {
+  return kind == KernelKind::wide ? nearest(tree, ray) : nearest_brute(tree.records, ray);
+}
+
+std::uint32_t Kernel::closest_record(const Ray& ray) const {
+  const NearestRecord found = data_->nearest_to(ray);
+  return found.found ? static_cast<std::uint32_t>(found.record - records().data()) : no_record;
+}
+
 Kernel::ClosestResult Kernel::closest(const Ray& ray) const {
-  const NearestRecord found = data_->kind == KernelKind::wide
-                                  ? nearest(data_->tree, ray)
-                                  : nearest_brute(data_->tree.records, ray);
+  const NearestRecord found = data_->nearest_to(ray);
   ClosestResult result{{}, found.tests};
   if (found.found) result.hit = Hit{found.t, shape_of(data_->begin, found.id)};
   return result;

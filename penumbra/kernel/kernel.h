@@ -56,6 +56,9 @@ class Kernel {
   };
   ClosestResult closest(const Ray& ray) const;
 
+  /// The record of the nearest hit, as an index into `records`; `no_record` where there is none.
+  std::uint32_t closest_record(const Ray& ray) const;
+
   /// Which of the rays of one receiver are blocked. Bit i of `active` says that ray i is wanted;
   /// bit i of `blocked` is set if and only if it is wanted and at least one shadow-casting
   /// primitive meets its open segment. Both hold ceil(count / 32) words. Equal, bit for bit, for

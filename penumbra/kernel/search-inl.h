@@ -33,7 +33,7 @@ HWY_INLINE void search_record(D d, const Record& record, Vec3f origin, const Ray
     if (!hn::AllTrue(d, hit) || !(at > search.t_min && at < search.t_max)) return;
     if (best.found && !(at < best.t || (at == best.t && record.id < best.id))) return;
     if (hn::AllFalse(d, confirm(d, record, origin, ray, t, hit))) return;
-    best.t = at, best.id = record.id, best.found = true;
+    best.t = at, best.id = record.id, best.record = &record, best.found = true;
   });
 }
 

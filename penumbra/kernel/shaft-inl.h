@@ -7,7 +7,9 @@
 //     intersect-inl.h the test passes, exactly: reciprocal, product and padding are monotone under
 //     rounding.
 //   - the hull of a box of receivers [P0, P1] and a box of targets [L0, L1], with D = L - P
-//     (Haines & Wallace 1991). The padding of boxes is far above what float loses of it.
+//     (Haines & Wallace 1991). A box's reach below is at least a third of what it is from
+//     any receiver, since it is at least half of the receivers' extent; so boxes are padded four
+//     times as much, which leaves room for what float loses here.
 //
 // The extent overlaps a box's [lo, hi] where P1 + t D1 >= lo and P0 + t D0 <= hi: two half-lines,
 // each bounding t from the side that the sign of its own slope says.
@@ -41,11 +43,12 @@ struct Shaft {
   Slopes slopes[3];
   float inverse_least[3], inverse_most[3];  // 1 / D0, 1 / D1
   float spread;                             // the largest D1 - D0
+  float pad = box_pad;                      // of boxes, as a share of their reach
 };
 
 HWY_INLINE Shaft make_shaft(const Box& origins, Vec3f least, Vec3f most, float t_max) {
   const hn::CappedTag<float, 1> d;
-  Shaft shaft{origins.lo, origins.hi, t_max, {}, {}, {}, max_abs(most - least)};
+  Shaft shaft{origins.lo, origins.hi, t_max, {}, {}, {}, max_abs(most - least), box_pad};
   for (int axis = 0; axis < 3; ++axis) {
     const bool falls = !(most[axis] >= 0);
     shaft.slopes[axis] = least[axis] >= 0 ? (falls ? Slopes::narrowing : Slopes::rising)
@@ -91,7 +94,7 @@ HWY_INLINE Overlap overlap(const Shaft& shaft, const WideNode& node, float* near
       hi[axis] = hn::Sub(hn::Load(d, node.hi[axis] + first), hn::Set(d, shaft.least_origin[axis]));
       reach = hn::Max(reach, hn::Max(hn::Abs(lo[axis]), hn::Abs(hi[axis])));
     }
-    const V pad = hn::Mul(hn::Set(d, box_pad), reach);
+    const V pad = hn::Mul(hn::Set(d, shaft.pad), reach);
     V near = hn::Zero(d), far = hn::Set(d, shaft.t_max);
     for (int axis = 0; axis < 3; ++axis) {
       const V at_lo = hn::Mul(hn::Sub(lo[axis], pad), hn::Set(d, shaft.inverse_most[axis]));

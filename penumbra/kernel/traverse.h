@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "penumbra/geometry/light_sampling.h"
@@ -16,6 +17,7 @@ struct Ray;
 struct NearestRecord {
   float t = 0;
   std::uint32_t id = 0;
+  const Record* record = nullptr;
   std::uint32_t tests = 0;
   bool found = false;
 };
@@ -54,9 +56,12 @@ bool walk(std::span<const WideNode> nodes, const Ray& ray, VisitLeaf leaf, void*
 /// 1] it reaches along each axis from receivers.lo + t least to receivers.hi + t most. For targets
 /// in a box, least and most are its corners minus those of the receivers; where the targets move
 /// with p (a sun), the box of what is added to it.
+/// Of it only what lies in a half-space counts: where `up` . x >= `floor`.
 struct ShaftBounds {
   Box receivers;
   Vec3f least, most;
+  Vec3f up{};
+  float floor = -std::numeric_limits<float>::infinity();
 };
 
 /// The leaves that a shaft may pass.

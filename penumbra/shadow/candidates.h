@@ -1,36 +1,49 @@
 // SPDX-License-Identifier: MIT
 // Candidates: the records that may block a light as seen from some receivers, in the form that
-// lanes sift for one receiver.
+// lanes sift.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "penumbra/kernel/record.h"
-#include "penumbra/shadow/light_hull.h"
 
 namespace penumbra {
 
-/// One array a number; all padded to whole groups of lanes. Balls are spheres, and balls around
-/// cones and rings.
-class CandidateList {
- public:
-  static constexpr std::size_t lanes = 16;
+/// Rows of numbers, one column a candidate. What is behind the last column is for lanes to load
+/// and to mask; memory is not cleared.
+template <std::size_t numbers>
+struct CandidateRows {
+  static constexpr std::size_t most = 1024, padded = most + 48;
+  alignas(64) float row[numbers][padded];
+  alignas(64) std::uint32_t index[padded];
+  std::uint32_t count;
+  void push(const float* column, std::uint32_t of) {
+    for (std::size_t i = 0; i < numbers; ++i) row[i][count] = column[i];
+    index[count++] = of;
+  }
+};
 
-  void clear();
-  void add(const Record& record, std::uint32_t index);
-  std::size_t size() const { return balls_ + triangles_; }
+/// Up to `most` of each kind.
+struct CandidateList {
+  static constexpr std::size_t most = CandidateRows<1>::most;
+  CandidateRows<4> spheres;    ///< centre 3, radius
+  CandidateRows<7> rings;      ///< centre 3, unit normal 3, radius
+  CandidateRows<9> cones;      ///< base 3, unit axis 3, height, base radius, apex radius
+  CandidateRows<9> triangles;  ///< corners
 
-  /// Appends to `out` the records that the shaft from p to the light may meet: all but those of
-  /// which float arithmetic, with room for its errors and the intersector's, shows that it misses
-  /// them. Cost: some 50 operations for 16 candidates.
-  void sift(const LightHull& light, Vec3f p, std::vector<std::uint32_t>& out) const;
-
- private:
-  std::size_t balls_ = 0, triangles_ = 0;
-  std::vector<float> ball_[4], triangle_[9];
-  std::vector<std::uint32_t> ball_record_, triangle_record_;
+  void clear() { spheres.count = rings.count = cones.count = triangles.count = 0; }
+  std::size_t size() const { return spheres.count + rings.count + cones.count + triangles.count; }
+  void add(const Record& record, std::uint32_t index) {
+    const float* numbers = record.number.data();
+    switch (record.kind) {
+      case ShapeKind::sphere: return spheres.push(numbers, index);
+      case ShapeKind::ring: return rings.push(numbers, index);
+      case ShapeKind::cone: return cones.push(numbers, index);
+      case ShapeKind::triangle: return triangles.push(numbers, index);
+    }
+  }
 };
 
 }  // namespace penumbra

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "penumbra/shadow/occluder_cache.h"
+#include "penumbra/shadow/shadow_query.h"
 #include "penumbra/shadow/shadow_scene.h"
-#include "penumbra/shadow/visibility.h"
 
 namespace penumbra {
 

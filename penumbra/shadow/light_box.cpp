@@ -5,16 +5,7 @@
 
 namespace penumbra {
 
-ExtentBox spread_box(const LightHull& light) {
-  ExtentBox box;
-  for (int axis = 0; axis < 3; ++axis) {
-    Vec3d n;
-    n[axis] = 1;
-    box.hi[axis] = light.spread(n)[axis];
-    box.lo[axis] = light.spread(-n)[axis];
-  }
-  return box;
-}
+ExtentBox spread_box(const LightHull& light) { return {light.least_spread(), light.most_spread()}; }
 
 double greatest_doubt(const LightHull& light, const Box& receivers) {
   // Convex in p: one of the corners has the greatest.

@@ -27,6 +27,15 @@ double reach_of(const Box& scene) { return 2 * length(Vec3d(scene.hi) - Vec3d(sc
 }  // namespace
 
 LightHull::LightHull(const LightShape& light, const Box& scene) {
+  set_shape(light, scene);
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3d n;
+    n[axis] = 1;
+    most_spread_[axis] = spread(n)[axis], least_spread_[axis] = spread(-n)[axis];
+  }
+}
+
+void LightHull::set_shape(const LightShape& light, const Box& scene) {
   if (const auto* ball = std::get_if<BallLight>(&light)) {
     center_ = Vec3d(ball->center), size_ = ball->radius;
     return;
@@ -67,9 +76,7 @@ Vec3d LightHull::spread(Vec3d n) const {
   return best;
 }
 
-double LightHull::doubt(Vec3f p) const {
-  return 0x1p-20 * (length(Vec3d(p)) + length(center(p) - Vec3d(p)) + 2 * size_);
-}
+double LightHull::doubt(Vec3f p) const { return doubt(p, length(center(p) - Vec3d(p))); }
 
 double LightHull::least_height(Vec3f p, Vec3d n) const {
   return dot(n, center(p) - Vec3d(p) + spread(-n)) - doubt(p) * length(n);

@@ -33,11 +33,23 @@ class LightHull {
   /// rounded up: dot(spread(n), n) is not below the exact support but for errors of double.
   Vec3d spread(Vec3d n) const;
 
+  /// n . spread(n): how far L - c reaches along n.
+  double extent(Vec3d n) const { return is_ball() ? length(n) * size_ : dot(n, spread(n)); }
+
   /// The largest |l - c|.
   double size() const { return size_; }
 
-  /// Length by which samples seen from p may lie off the light: twice what `sample_light` promises.
+  /// Length by which samples seen from p may lie off the light: twice what `sample_light` promises,
+  /// at least.
   double doubt(Vec3f p) const;
+  /// The same for a known |c - p|.
+  double doubt(Vec3f p, double distance) const {
+    return 0x1p-20 * (1.75 * double(max_abs(p)) + distance + 2 * size_);
+  }
+
+  /// The box of L - c.
+  Vec3d least_spread() const { return least_spread_; }
+  Vec3d most_spread() const { return most_spread_; }
 
   /// Lower bound of n . (l - p) over all samples l that p can be given, rounding included.
   double least_height(Vec3f p, Vec3d n) const;
@@ -53,11 +65,13 @@ class LightHull {
   Vec3d normal() const { return normal_; }
 
  private:
+  void set_shape(const LightShape& light, const Box& scene);
   Vec3d center_;  // suns: reach * direction
   double size_ = 0;
   bool is_sun_ = false, is_disk_ = false;
   Vec3d normal_;  // of disks and suns, unit
   std::vector<Vec3d> corners_;
+  Vec3d least_spread_, most_spread_;
 };
 
 /// The shaft from p to the light: the hull of p and L. It holds every segment to a sample, up to

@@ -2,10 +2,20 @@
 #include "penumbra/shadow/samples.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
+#include "penumbra/geometry/sample_loops.h"
+#include "penumbra/kernel/kernel.h"
+
 namespace penumbra {
+
+bool is_any_blocked(const SampleScratch& scratch) {
+  return std::any_of(scratch.blocked.begin(), scratch.blocked.end(),
+                     [](std::uint32_t word) { return word != 0; });
+}
+
 namespace {
 
 /// The one ray of `hard`: to the centre.
@@ -20,35 +30,96 @@ void aim_at_center(const LightShape& light, Vec3f p, LightSamples& out) {
 }
 
 /// Cosine of each sample, and a bit for each that lies above the horizon. NaN lies below it.
-std::uint32_t weigh(const Vec3f normal, VisibilityScratch& scratch) {
+std::uint32_t weigh(const Vec3f normal, SampleScratch& scratch) {
   const LightSamples& s = scratch.samples;
-  scratch.weight.resize(s.count);
+  scratch.weight.resize(s.x.size());
   scratch.active.assign((s.count + 31) / 32, 0);
-  scratch.blocked.resize(scratch.active.size());
+  scratch.blocked.assign(scratch.active.size(), 0);
+  weigh_directions(normal, s.x.data(), s.y.data(), s.z.data(), s.x.size(), scratch.weight.data());
   std::uint32_t above = 0;
   for (std::uint32_t i = 0; i < s.count; ++i) {
-    const float along = normal.x * s.x[i] + normal.y * s.y[i] + normal.z * s.z[i];
-    const float square = s.x[i] * s.x[i] + s.y[i] * s.y[i] + s.z[i] * s.z[i];
-    scratch.weight[i] = along / std::sqrt(square);
-    if (!(along > 0)) continue;
-    scratch.active[i / 32] |= 1u << i % 32;
-    ++above;
+    const std::uint32_t is_above = !(scratch.weight[i] < 0);
+    scratch.active[i / 32] |= is_above << i % 32;
+    above += is_above;
   }
   return above;
 }
 
+std::uint64_t count_bits(std::span<const std::uint32_t> words) {
+  std::uint64_t bits = 0;
+  for (const std::uint32_t word : words) bits += static_cast<std::uint64_t>(std::popcount(word));
+  return bits;
+}
+
+/// Moves the rays that one record blocks from `remaining` to `blocked`; returns their number.
+std::uint64_t take_blocked(const Record& record, SampleScratch& scratch) {
+  occluded_by(record, scratch.samples, scratch.remaining, scratch.by_one);
+  for (std::size_t i = 0; i < scratch.remaining.size(); ++i) {
+    scratch.remaining[i] &= ~scratch.by_one[i];
+    scratch.blocked[i] |= scratch.by_one[i];
+  }
+  return count_bits(scratch.by_one);
+}
+
+/// Tries the cached occluders on all active rays.
+void ask_cache(const Kernel& kernel, OccluderQueue& queue, SampleScratch& scratch,
+               ShadowCounters& counters) {
+  for (const std::uint32_t record : std::array(queue.record)) {
+    if (record == no_record) continue;
+    const std::uint64_t rays = count_bits(scratch.remaining);
+    if (rays == 0) return;
+    counters.tests += rays;
+    const std::uint64_t decided = take_blocked(kernel.records()[record], scratch);
+    counters.cache_decided += decided;
+    if (decided > 0) queue.move_to_front(record);
+  }
+}
+
+/// Adds what a query of the remaining rays found.
+void note(const OccludedReport& report, std::uint64_t rays, OccluderQueue& queue,
+          SampleScratch& scratch, ShadowCounters& counters) {
+  counters.rays += rays;
+  counters.tests += report.tests;
+  for (std::size_t i = 0; i < scratch.blocked.size(); ++i) scratch.blocked[i] |= scratch.by_one[i];
+  if (report.blocker != no_record)
+    queue.move_to_front(report.blocker);
+  else if (!is_any_blocked(scratch))
+    queue.drop_last();
+}
+
 }  // namespace
 
-Visibility sum_up(const VisibilityScratch& scratch) {
+std::uint64_t trace_samples(const Kernel& kernel, OccluderQueue& queue, SampleScratch& scratch,
+                            ShadowCounters& counters) {
+  scratch.remaining = scratch.active;
+  scratch.by_one.resize(scratch.active.size());
+  ask_cache(kernel, queue, scratch, counters);
+  const std::uint64_t rays = count_bits(scratch.remaining);
+  if (rays == 0) return 0;
+  note(kernel.occluded(scratch.samples, scratch.remaining, scratch.by_one), rays, queue, scratch,
+       counters);
+  return rays;
+}
+
+std::uint64_t trace_samples(const Kernel& kernel, std::span<const std::uint32_t> records,
+                            OccluderQueue& queue, SampleScratch& scratch,
+                            ShadowCounters& counters) {
+  scratch.by_one.resize(scratch.active.size());
+  const std::uint64_t rays = count_bits(scratch.active);
+  note(occluded_among(kernel.records(), records, scratch.samples, scratch.active, scratch.by_one),
+       rays, queue, scratch, counters);
+  return rays;
+}
+
+Visibility sum_up(const SampleScratch& scratch) {
   double all = 0, free = 0;
   std::uint32_t free_count = 0;
   for (std::uint32_t i = 0; i < scratch.samples.count; ++i) {
-    const std::uint32_t bit = 1u << i % 32;
-    if (!(scratch.active[i / 32] & bit)) continue;
-    all += scratch.weight[i];
-    if (scratch.blocked[i / 32] & bit) continue;
-    free += scratch.weight[i];
-    ++free_count;
+    const std::uint32_t is_active = scratch.active[i / 32] >> i % 32 & 1;
+    const std::uint32_t is_free = is_active & ~(scratch.blocked[i / 32] >> i % 32);
+    all += is_active ? scratch.weight[i] : 0;
+    free += is_free ? scratch.weight[i] : 0;
+    free_count += is_free;
   }
   Visibility result;
   result.fraction = static_cast<float>(free_count) / static_cast<float>(scratch.samples.count);
@@ -60,7 +131,7 @@ Visibility sum_up(const VisibilityScratch& scratch) {
 
 /// Directions to the light's samples, and which lie above the horizon; returns their number.
 std::uint32_t take_samples(const ShadowScene& scene, std::uint32_t light, const Receiver& receiver,
-                           std::uint64_t key, VisibilityScratch& scratch) {
+                           std::uint64_t key, SampleScratch& scratch) {
   const LightShape& shape = scene.lights[light];
   const SamplePattern& pattern =
       std::holds_alternative<PointLight>(shape) ? scratch.center : scratch.pattern;
@@ -69,13 +140,6 @@ std::uint32_t take_samples(const ShadowScene& scene, std::uint32_t light, const 
   else
     sample_light(shape, receiver.position, pattern, key, scratch.samples);
   return weigh(receiver.normal, scratch);
-}
-
-/// All samples are sure to be above the horizon, in float too, however they will be rounded.
-bool is_surely_above(const LightHull& light, const Receiver& receiver) {
-  const double distance = length(light.center(receiver.position) - Vec3d(receiver.position));
-  const bool is_safe = distance > 1e-15 && distance < 1e15;  // squares stay in float's range
-  return is_safe && light.least_height(receiver.position, Vec3d(receiver.normal)) > 0;
 }
 
 }  // namespace penumbra

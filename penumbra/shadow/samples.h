@@ -1,22 +1,49 @@
 // SPDX-License-Identifier: MIT
-// The samples of one (point, light): taken, weighed, summed. What all methods share.
+// The samples of one (point, light): taken, weighed, traced, summed. What all methods share.
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
-#include "penumbra/shadow/visibility.h"
+#include "penumbra/geometry/light_sampling.h"
+#include "penumbra/shadow/occluder_cache.h"
+#include "penumbra/shadow/shadow_query.h"
+#include "penumbra/shadow/shadow_scene.h"
 
 namespace penumbra {
 
-/// Directions to the light's samples, their weights, and `active` where they lie above the horizon;
-/// returns the number of these.
+/// Memory that is reused between queries, so that none is allocated for a ray. One bit a sample in
+/// words of 32.
+struct SampleScratch {
+  explicit SampleScratch(std::uint32_t shadow_samples) : pattern(shadow_samples), center(1) {}
+  SamplePattern pattern;
+  SamplePattern center;  ///< of one sample
+  LightSamples samples;
+  std::vector<float> weight;
+  std::vector<std::uint32_t> active;   ///< above the horizon
+  std::vector<std::uint32_t> blocked;  ///< of the active ones
+  std::vector<std::uint32_t> remaining, by_one;
+};
+
+/// Directions to the light's samples, their weights, and `active`; returns the number of these.
+/// None is blocked yet.
 std::uint32_t take_samples(const ShadowScene& scene, std::uint32_t light, const Receiver& receiver,
-                           std::uint64_t key, VisibilityScratch& scratch);
+                           std::uint64_t key, SampleScratch& scratch);
+
+/// Fills `blocked` for the active rays, by the cached occluders, then by the geometry set; returns
+/// how many were traced. Adds to `counters`.
+std::uint64_t trace_samples(const Kernel& kernel, OccluderQueue& queue, SampleScratch& scratch,
+                            ShadowCounters& counters);
+
+/// The same by some of the kernel's records, if no other can block.
+std::uint64_t trace_samples(const Kernel& kernel, std::span<const std::uint32_t> records,
+                            OccluderQueue& queue, SampleScratch& scratch, ShadowCounters& counters);
+
+/// Whether any sample is blocked.
+bool is_any_blocked(const SampleScratch& scratch);
 
 /// The visible part, given `blocked`; sums run in sample order. Without class.
-Visibility sum_up(const VisibilityScratch& scratch);
-
-/// All samples are sure to be above the horizon, in float too, however they will be rounded.
-bool is_surely_above(const LightHull& light, const Receiver& receiver);
+Visibility sum_up(const SampleScratch& scratch);
 
 }  // namespace penumbra

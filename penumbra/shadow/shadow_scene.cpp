@@ -26,13 +26,17 @@ ShadowScene prepare_shadows(const Kernel& kernel, const ShapeSet& shapes,
   scene.method = method;
   scene.lights.assign(lights.begin(), lights.end());
   scene.receivers = with_offsets(kernel.bounds());
-  for (const LightShape& light : lights) scene.hulls.emplace_back(light, scene.receivers);
+  for (const LightShape& light : lights) {
+    scene.hulls.emplace_back(light, scene.receivers);
+    scene.forms.emplace_back(scene.hulls.back());
+  }
   if (has_shadow_set(method))
     scene.set = build_shadow_set(kernel.records(), scene.hulls,
                                  method == Method::offset ? Offsets::full : Offsets::reduced,
                                  scene.receivers);
-  if (method == Method::umbra || method == Method::shaft)
+  if (method == Method::umbra)
     scene.inner = InnerVolumes(shapes, options.casts_no_shadow, scene.hulls);
+  if (method == Method::shaft) scene.sheet = TriangleSheet(shapes, kernel.records());
   return scene;
 }
 

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "penumbra/shadow/sheet.h"
+
+#include "penumbra/geometry/triangle_neighbors.h"
+
+namespace penumbra {
+namespace {
+
+/// Whether a triangle that lies across the edge from a to b has it from a to b, too, where those
+/// that turn the same way have it from b to a.
+bool turns_otherwise(const Record& triangle, Vec3f a, Vec3f b) {
+  for (int k = 0; k < 3; ++k)
+    if (triangle.vector(3 * k) == a && triangle.vector(3 * ((k + 1) % 3)) == b) return true;
+  return false;
+}
+
+}  // namespace
+
+TriangleSheet::TriangleSheet(const ShapeSet& shapes, std::span<const Record> records) {
+  std::size_t first = shapes.spheres.size() + shapes.cones.size() + shapes.rings.size();
+  if (first == records.size()) return;
+  std::vector<std::uint32_t> record_of(records.size());  // by id
+  for (std::uint32_t i = 0; i < records.size(); ++i) record_of[records[i].id] = i;
+  neighbors_.resize(records.size(), {no_record, no_record, no_record});
+  for (const Mesh& mesh : shapes.meshes) {
+    const auto across = triangle_neighbors(mesh);
+    for (std::size_t t = 0; t < across.size(); ++t)
+      for (int k = 0; k < 3; ++k) {
+        if (across[t][k] == no_triangle) continue;
+        const std::uint32_t here = record_of[first + t], there = record_of[first + across[t][k]];
+        if (!records[there].casts_shadow) continue;
+        const Vec3f a = records[here].vector(3 * k), b = records[here].vector(3 * ((k + 1) % 3));
+        neighbors_[here][k] = there | (turns_otherwise(records[there], a, b) ? turned : 0);
+      }
+    first += across.size();
+  }
+}
+
+bool SheetScratch::insert(TriangleSheet::Member member) {
+  std::uint32_t at = member.record * 0x9e3779b1u >> 16;
+  for (;; ++at) {
+    Slot& slot = slots_[at % slots_.size()];
+    if (slot.stamp != stamp_) {
+      slot = {member.record, stamp_};
+      found_.push_back(member);
+      return true;
+    }
+    if (slot.record == member.record) return false;
+  }
+}
+
+}  // namespace penumbra

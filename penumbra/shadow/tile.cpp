@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#include "penumbra/shadow/tile.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "penumbra/kernel/kernel.h"
+#include "penumbra/shadow/shaft.h"
+
+namespace penumbra {
+namespace {
+
+/// Candidates that are worth a list, and so few that receivers sift them rather than splitting
+/// their group.
+constexpr std::size_t most_of_group = 512, most_of_one = 128, few = 32;
+
+/// One tile; a class because all steps share these references.
+class Tile {
+ public:
+  Tile(const ShadowScene& scene, std::uint32_t light, std::span<const ShadowQuery> queries,
+       OccluderQueue& queue, SampleScratch& samples, TileScratch& scratch, ShadowCounters& counters,
+       std::span<Visibility> answers)
+      : scene_(scene),
+        form_(scene.forms[light]),
+        light_(light),
+        queries_(queries),
+        queue_(queue),
+        samples_(samples),
+        scratch_(scratch),
+        counters_(counters),
+        answers_(answers) {}
+
+  void answer() {
+    ReceiverBits bits = see_light(form_, queries_, scene_.receivers, scratch_.rows);
+    std::uint64_t pending = 0;
+    for (std::size_t i = 0; i < queries_.size(); ++i) {
+      const std::uint64_t bit = 1ull << i;
+      if (!(bits.certain & bit))
+        answers_[i] = in_doubt(i);
+      else if (bits.below & bit)
+        answers_[i] = {0, 0, ShadowClass::umbra};
+      else
+        pending |= bit;
+    }
+    if (pending == 0) return;
+    above_ = 0;
+    std::size_t row = 0;
+    for (std::uint64_t rest = pending; rest != 0; rest &= rest - 1, ++row) {
+      scratch_.query[row] = static_cast<std::uint32_t>(std::countr_zero(rest));
+      above_ |= (bits.above >> scratch_.query[row] & 1) << row;
+    }
+    keep_rows(pending, scratch_.rows);
+    answer_group(0, row, nullptr, 0);
+  }
+
+ private:
+  static std::uint64_t bits_below(std::size_t count) {
+    return count >= 64 ? ~0ull : (1ull << count) - 1;
+  }
+  ReceiverGroup group(std::size_t first, std::size_t count) const {
+    const std::uint64_t bits = bits_below(count) << first;
+    return {scratch_.rows, first, count, (above_ & bits) == bits};
+  }
+
+  /// `parent`: candidates of a larger group, or null where they were too many.
+  void answer_group(std::size_t first, std::size_t count, const CandidateList* parent,
+                    std::size_t level) {
+    if (count == 1) return answer_one(first, parent);
+    const ReceiverGroup receivers = group(first, count);
+    const SeenLight sight = seen_by_all(form_, receivers);
+    if (!parent && gather(receivers, sight, most_of_group)) parent = &gathered();
+    CandidateList* list = nullptr;
+    if (parent) {
+      list = &scratch_.list[level];
+      if (sift_for_all(*parent, sight, *list) != no_record)
+        return all_are(first, count, ShadowClass::umbra);
+      if (list->size() == 0) return all_are(first, count, ShadowClass::lit);
+      if (list->size() <= few) return answer_each(receivers, *list);
+    }
+    if (is_behind_sheet(sight, count)) return all_are(first, count, ShadowClass::umbra);
+    const std::size_t part = (count + 3) / 4;
+    for (std::size_t from = 0; from < count; from += part)
+      answer_group(first + from, std::min(part, count - from), list, level + 1);
+  }
+
+  CandidateList& gathered() { return scratch_.list[TileScratch::levels]; }
+
+  bool gather(const ReceiverGroup& receivers, const SeenLight& sight, std::size_t most) {
+    ++counters_.set_rays;
+    return gather_candidates(scene_, light_, receivers.bounds(), sight, most, gathered(),
+                             counters_.set_tests);
+  }
+
+  /// Candidates are few: each is held against all receivers.
+  void answer_each(const ReceiverGroup& receivers, const CandidateList& list) {
+    SiftedRows& sifted = scratch_.sifted_rows;
+    sift_rows(list, form_, receivers, sifted);
+
+    for (std::size_t i = 0; i < receivers.count; ++i) {
+      const std::size_t row = receivers.first + i;
+      if (sifted.covered >> i & 1) {
+        answer_at(row) = proven(row, ShadowClass::umbra);
+      } else if (!(sifted.kept >> i & 1)) {
+        answer_at(row) = proven(row, ShadowClass::lit);
+      } else {
+        std::vector<std::uint32_t>& records = scratch_.sifted.record;
+        records.clear();
+        for (const SiftedRows::Candidate& candidate : sifted.candidate)
+          if (candidate.kept >> i & 1) records.push_back(candidate.record);
+        answer_at(row) = by_samples(row, true);
+      }
+    }
+  }
+
+  Visibility& answer_at(std::size_t row) { return answers_[scratch_.query[row]]; }
+
+  bool is_outline_hidden(const SeenLight& sight);
+  bool is_behind_sheet(const SeenLight& sight, std::size_t receivers);
+
+  /// A proof for all of a group. Where a light straddles the horizon, samples have a say still.
+  void all_are(std::size_t first, std::size_t count, ShadowClass shadow_class) {
+    for (std::size_t row = first; row < first + count; ++row)
+      answer_at(row) = proven(row, shadow_class);
+  }
+
+  Visibility proven(std::size_t row, ShadowClass shadow_class) {
+    const bool is_above = above_ >> row & 1;
+    if (!is_above && !take(row)) return {0, 0, ShadowClass::umbra};
+    counters_.count(shadow_class);
+    if (shadow_class == ShadowClass::umbra) return {0, 0, shadow_class};
+    return is_above ? Visibility{1, 1, shadow_class} : summed(shadow_class, 0);
+  }
+
+  void answer_one(std::size_t row, const CandidateList* list) {
+    const SeenLight seen = seen_by_one(form_, scratch_.rows, row);
+    if (!list && gather(group(row, 1), seen, most_of_one)) list = &gathered();
+    if (list) {
+      sift(*list, seen, scratch_.sifted);
+      if (scratch_.sifted.cover != no_record)
+        return void(answer_at(row) = proven(row, ShadowClass::umbra));
+      if (scratch_.sifted.record.empty())
+        return void(answer_at(row) = proven(row, ShadowClass::lit));
+    }
+    answer_at(row) = by_samples(row, list != nullptr);
+  }
+
+  /// Returns whether any sample is above the horizon.
+  bool take(std::size_t row) {
+    const ShadowQuery& query = queries_[scratch_.query[row]];
+    return take_samples(scene_, light_, query.receiver, query.key, samples_) > 0;
+  }
+
+  Visibility by_samples(std::size_t row, bool has_list) {
+    if (!take(row)) return {0, 0, ShadowClass::umbra};
+    counters_.count(ShadowClass::penumbra);
+    const std::uint64_t rays =
+        has_list
+            ? trace_samples(*scene_.kernel, scratch_.sifted.record, queue_, samples_, counters_)
+            : trace_samples(*scene_.kernel, queue_, samples_, counters_);
+    return summed(ShadowClass::penumbra, rays);
+  }
+
+  /// p' in the light, far outside the scene, or no number: nothing is proven.
+  Visibility in_doubt(std::size_t i) {
+    const ShadowQuery& query = queries_[i];
+    if (take_samples(scene_, light_, query.receiver, query.key, samples_) == 0)
+      return {0, 0, ShadowClass::penumbra};
+    counters_.count(ShadowClass::penumbra);
+    return summed(ShadowClass::penumbra,
+                  trace_samples(*scene_.kernel, queue_, samples_, counters_));
+  }
+
+  Visibility summed(ShadowClass shadow_class, std::uint64_t rays) {
+    Visibility result = sum_up(samples_);
+    result.shadow_class = shadow_class;
+    result.rays = static_cast<std::uint32_t>(rays);
+    return result;
+  }
+
+  const ShadowScene& scene_;
+  const LightForm& form_;
+  std::uint32_t light_;
+  std::span<const ShadowQuery> queries_;
+  OccluderQueue& queue_;
+  SampleScratch& samples_;
+  TileScratch& scratch_;
+  ShadowCounters& counters_;
+  std::span<Visibility> answers_;
+  std::uint64_t above_ = 0;  // rows that see the whole light above their horizon
+};
+
+/// Triangles of a sheet that a proof is worth.
+constexpr std::size_t sheet_a_receiver = 32;
+constexpr std::uint32_t outline_rays = 8;
+
+/// Whether rays to the light's outline are all blocked: where one is not, no proof is looked for.
+bool Tile::is_outline_hidden(const SeenLight& sight) {
+  constexpr float diagonal = 0.70710678f;
+  constexpr float turns[outline_rays][2] = {
+      {1, 0},  {diagonal, diagonal},   {0, 1},  {-diagonal, diagonal},
+      {-1, 0}, {-diagonal, -diagonal}, {0, -1}, {diagonal, -diagonal}};
+  LightSamples& rays = scratch_.outline;
+  rays.resize(outline_rays);
+  rays.origin = sight.p, rays.t_max = 1;
+  const Frame<float> frame = frame_around(sight.way / sight.distance);
+  for (std::size_t i = 0; i < rays.x.size(); ++i) {
+    const float* turn = turns[i % outline_rays];
+    const Vec3f way = sight.way + (frame.u * turn[0] + frame.v * turn[1]) * form_.size;
+    rays.x[i] = way.x, rays.y[i] = way.y, rays.z[i] = way.z;
+  }
+  const std::uint32_t active[] = {(1u << outline_rays) - 1};
+  std::uint32_t blocked[1];
+  counters_.set_tests += scene_.kernel->occluded(rays, active, blocked).tests;
+  return blocked[0] == active[0];
+}
+
+/// Whether what stands before the light's centre goes on to its outline.
+bool Tile::is_behind_sheet(const SeenLight& sight, std::size_t receivers) {
+  if (scene_.sheet.is_empty() || !is_outline_hidden(sight)) return false;
+  Ray ray{sight.p, sight.way};
+  ray.t_max = 1;
+  const std::uint32_t start = scene_.kernel->closest_record(ray);
+  return start != no_record &&
+         sheet_covers(scene_.sheet, scene_.kernel->records(), sight, start,
+                      static_cast<std::uint32_t>(sheet_a_receiver * receivers), scratch_.sheet,
+                      counters_.set_tests);
+}
+
+}  // namespace
+
+void answer_by_tiles(const ShadowScene& scene, std::uint32_t light,
+                     std::span<const ShadowQuery> queries, OccluderQueue& queue,
+                     SampleScratch& samples, TileScratch& scratch, ShadowCounters& counters,
+                     std::span<Visibility> answers) {
+  constexpr std::size_t most = ReceiverRows::most;
+  for (std::size_t first = 0; first < queries.size(); first += most) {
+    const std::size_t count = std::min(most, queries.size() - first);
+    Tile(scene, light, queries.subspan(first, count), queue, samples, scratch, counters,
+         answers.subspan(first, count))
+        .answer();
+  }
+}
+
+}  // namespace penumbra
