@@ -48,7 +48,12 @@ LightRadius parse_light_radius(std::string_view text);
 std::variant<GroundChoice, double> parse_ground(std::string_view text);
 MoleculeStyle parse_style(std::string_view text);
 
+/// What stands between the commas.
+std::vector<std::string> parse_list(std::string_view text);
+
 Method parse_method(std::string_view text);
+/// In the order in which help and tables name them.
+std::vector<Method> all_methods();
 std::string_view name_of(Method method);
 
 /// `class,visibility,depth,normal,samples`, any of them.

@@ -5,7 +5,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -14,13 +13,13 @@
 #include "deferred_signals.h"
 #include "options.h"
 #include "penumbra/scene_io/image_io.h"
-#include "penumbra/scene_io/numbers.h"
 #include "penumbra/scene_io/write_scene.h"
 #include "penumbra/trace/prepare.h"
 #include "progress.h"
 #include "render_report.h"
 #include "resources.h"
 #include "scene_argument.h"
+#include "scene_options.h"
 #include "usage_error.h"
 
 namespace penumbra {
@@ -28,13 +27,11 @@ namespace {
 
 struct Options {
   std::string scene, output, stats;
-  ReadOptions read;
-  SceneOptions complete;
+  SceneWishes wishes;
   RenderOptions render;
   Method method = Method::stochastic;
   std::optional<PixelSize> size;  ///< none: the camera's own
   std::optional<PixelPosition> pixel;
-  std::vector<std::string> light_words;
   float exposure_ev = 0;
   bool always_progress = false;
 };
@@ -46,12 +43,7 @@ void add_picture_options(CLI::App& app, Options& o) {
   });
   add_parsed(app, "--size", "WxH", "Pixels (default: the file's, else 512x512)",
              [&o](Text text) { o.size = parse_size(text); });
-  add_parsed(app, "--spp", "N", "Samples a pixel, for smooth edges (default 1)", [&o](Text text) {
-    o.render.samples_per_pixel = static_cast<std::uint32_t>(parse_count(text, 1, 65536));
-  });
-  add_parsed(app, "--depth", "N", "Longest path of mirrors and glass (default 5)", [&o](Text text) {
-    o.render.depth = static_cast<std::uint32_t>(parse_count(text, 1, 64));
-  });
+  add_ray_options(app, o.render);
   add_parsed(app, "--exposure", "EV", "Brighten (> 0) or darken a PNG, in stops",
              [&o](Text text) { o.exposure_ev = static_cast<float>(parse_number(text, -64, 64)); });
   add_parsed(app, "--aov", "LIST", "EXR layers: any of class,visibility,depth,normal,samples",
@@ -69,34 +61,7 @@ void add_shadow_options(CLI::App& app, Options& o) {
     o.render.shadow_samples = static_cast<std::uint32_t>(parse_count(text, 1, 65536));
   });
   add("--light-radius", "R", "Make point and ball lights balls of this radius; N% of the extent",
-      [&o](Text text) { o.complete.light_radius = parse_light_radius(text); });
-  add("--seed", "N", "Of the random numbers (default 0)", [&o](Text text) {
-    o.render.seed = parse_count(text, 0, std::numeric_limits<std::uint64_t>::max());
-  });
-  app.add_flag("--clear-glass", o.complete.clear_glass, "Transparent things cast no shadow")
-      ->group("Shadows");
-}
-
-void add_scene_options(CLI::App& app, Options& o) {
-  using Text = const std::string&;
-  const auto add = [&app](const char* name, const char* value, const char* help, auto parse) {
-    add_parsed(app, name, value, help, parse)->group("Scene");
-  };
-  add("--from", "x,y,z", "Camera position",
-      [&o](Text text) { o.complete.from = parse_vector(text); });
-  add("--at", "x,y,z", "What it looks at", [&o](Text text) { o.complete.at = parse_vector(text); });
-  add("--up", "x,y,z", "Its upward direction",
-      [&o](Text text) { o.complete.up = parse_vector(text); });
-  add("--fov", "DEG", "Vertical field of view",
-      [&o](Text text) { o.complete.fov_deg = parse_number(text, 0.001, 179.999); });
-  add("--ground", "auto|none|HEIGHT", "A floor (default auto: under bare models)",
-      [&o](Text text) { o.complete.ground = parse_ground(text); });
-  add("--background", "r,g,b", "Colour where nothing is hit",
-      [&o](Text text) { o.complete.background = parse_color(text); });
-  app.add_option("--light", o.light_words,
-                 "Add a light, see below; the first one replaces the file's")
-      ->type_name("SPEC")
-      ->group("Scene");
+      [&o](Text text) { o.wishes.complete.light_radius = parse_light_radius(text); });
 }
 
 void add_run_options(CLI::App& app, Options& o) {
@@ -118,12 +83,7 @@ void add_run_options(CLI::App& app, Options& o) {
       ->group("Run");
 }
 
-constexpr const char* footer =
-    "Lights (numbers in scene units, each with an optional r g b at the end):\n"
-    "  point x y z                              rect cx cy cz ux uy uz vx vy vz (half edges)\n"
-    "  sphere cx cy cz r                        disk cx cy cz nx ny nz r (n: its normal)\n"
-    "  line ax ay az bx by bz (from a to b)     polygon n x y z ... (n corners, convex, in order)\n"
-    "  mesh n x y z ... (convex hull of n)      sun dx dy dz degrees (towards it; diameter)\n\n"
+constexpr const char* examples =
     "Examples:\n"
     "  penumbra render bust.ply -o bust.png\n"
     "  penumbra render balls:4 -o balls.png --shadow-samples 64 --light-radius 5%\n"
@@ -132,9 +92,6 @@ constexpr const char* footer =
 
 /// Checks what no single option can.
 void check(const Options& o) {
-  if (o.complete.from && o.complete.at && *o.complete.from == *o.complete.at)
-    throw UsageError("--from and --at are the same point");
-  if (o.complete.up && *o.complete.up == Vec3d{}) throw UsageError("--up 0,0,0 is no direction");
   if (o.pixel) return;
   if (o.output.empty()) throw UsageError("-o FILE is missing: where should the picture go?");
   if (!o.render.aovs.empty() && !has_extension(o.output, ".exr"))
@@ -169,20 +126,18 @@ Picture render_with_progress(const Options& o, const Scene& scene, const ShadowS
   return render(scene, shadows, options);
 }
 
-/// The words of --light have no end of their own: a scene that stands behind them is taken back.
-void take_scene_from_lights(Options& o) {
-  std::vector<std::string>& words = o.light_words;
-  if (o.scene.empty() && words.size() > 1 && !parse_double(words.back())) {
-    o.scene = words.back();
-    words.pop_back();
-  }
-  if (o.scene.empty())
-    throw UsageError("SCENE is missing: a file, or the name of a built-in scene");
+void take_scene(Options& o) {
+  std::vector<std::string> scenes;
+  if (!o.scene.empty()) scenes.push_back(o.scene);
+  take_back_scenes(o.wishes, scenes);
+  if (scenes.empty()) throw UsageError("SCENE is missing: a file, or the name of a built-in scene");
+  if (scenes.size() > 1) throw UsageError(scenes[1] + ": one SCENE at a time");
+  o.scene = scenes.front();
 }
 
 int run(Options o, const std::vector<std::string>& arguments) {
-  take_scene_from_lights(o);
-  o.complete.lights = parse_lights(o.light_words);
+  take_scene(o);
+  finish(o.wishes);
   check(o);
   if (!o.pixel) {
     check_files_differ(o.scene, o.output);
@@ -194,7 +149,7 @@ int run(Options o, const std::vector<std::string>& arguments) {
 
   RenderReport report{o.scene, arguments, {}, o.method, 0, 0, 0, 0};
   const double start = now_seconds();
-  const Scene scene = complete_scene(load_scene(o.scene, o.read), o.complete);
+  const Scene scene = complete_scene(load_scene(o.scene, o.wishes.read), o.wishes.complete);
   take_size(o, scene);
   const double loaded = now_seconds();
   const Kernel kernel(scene.shapes, kernel_options(scene));
@@ -226,10 +181,9 @@ Command add_render(CLI::App& program, const std::vector<std::string>& arguments)
   app->add_option("SCENE", options->scene, scene_argument_help);
   add_picture_options(*app, *options);
   add_shadow_options(*app, *options);
-  add_scene_options(*app, *options);
-  add_read_options(*app, options->read);
+  add_scene_options(*app, options->wishes);
   add_run_options(*app, *options);
-  app->footer(footer);
+  app->footer(std::string(lights_help) + examples);
   return {app, [options, arguments] { return run(*options, arguments); }};
 }
 
