@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "penumbra/kernel/embree_user_geometry.h"
 #include "penumbra/kernel/record.h"
-#include "penumbra/kernel/traverse.h"
 
 namespace penumbra {
 
@@ -61,58 +61,6 @@ void add_spheres(RTCDevice device, RTCScene scene, const std::vector<Sphere>& sp
       geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), spheres.size()));
   for (const Sphere& s : spheres)
     for (float number : {s.center.x, s.center.y, s.center.z, s.radius}) *vertex++ = number;
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene, geometry);
-  rtcReleaseGeometry(geometry);
-}
-
-void user_bounds(const RTCBoundsFunctionArguments* arguments) {
-  const Box b = bounds(
-      (*static_cast<const std::vector<Record>*>(arguments->geometryUserPtr))[arguments->primID]);
-  *arguments->bounds_o = {b.lo.x, b.lo.y, b.lo.z, 0, b.hi.x, b.hi.y, b.hi.z, 0};
-}
-
-/// The record against ray `i` of a packet, by our own intersector.
-NearestRecord test_user(const std::vector<Record>& records, unsigned primitive, RTCRayN* ray,
-                        unsigned n, unsigned i) {
-  const Ray one{{RTCRayN_org_x(ray, n, i), RTCRayN_org_y(ray, n, i), RTCRayN_org_z(ray, n, i)},
-                {RTCRayN_dir_x(ray, n, i), RTCRayN_dir_y(ray, n, i), RTCRayN_dir_z(ray, n, i)},
-                RTCRayN_tnear(ray, n, i),
-                RTCRayN_tfar(ray, n, i)};
-  return nearest_brute({&records[primitive], 1}, one);
-}
-
-void user_intersect(const RTCIntersectFunctionNArguments* arguments) {
-  const auto& records = *static_cast<const std::vector<Record>*>(arguments->geometryUserPtr);
-  RTCRayN* rays = RTCRayHitN_RayN(arguments->rayhit, arguments->N);
-  RTCHitN* hits = RTCRayHitN_HitN(arguments->rayhit, arguments->N);
-  for (unsigned i = 0; i < arguments->N; ++i) {
-    if (!arguments->valid[i]) continue;
-    const NearestRecord found = test_user(records, arguments->primID, rays, arguments->N, i);
-    if (!found.found) continue;
-    RTCRayN_tfar(rays, arguments->N, i) = found.t;
-    RTCHitN_geomID(hits, arguments->N, i) = arguments->geomID;
-    RTCHitN_primID(hits, arguments->N, i) = arguments->primID;
-  }
-}
-
-void user_occluded(const RTCOccludedFunctionNArguments* arguments) {
-  const auto& records = *static_cast<const std::vector<Record>*>(arguments->geometryUserPtr);
-  for (unsigned i = 0; i < arguments->N; ++i)
-    if (arguments->valid[i] &&
-        test_user(records, arguments->primID, arguments->ray, arguments->N, i).found)
-      RTCRayN_tfar(arguments->ray, arguments->N, i) = -std::numeric_limits<float>::infinity();
-}
-
-void add_user(RTCDevice device, RTCScene scene, std::vector<Record>& records) {
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(records.size()));
-  rtcSetGeometryUserData(geometry, &records);
-  rtcSetGeometryBoundsFunction(
-      geometry, [](const RTCBoundsFunctionArguments* arguments) { user_bounds(arguments); },
-      nullptr);
-  rtcSetGeometryIntersectFunction(geometry, user_intersect);
-  rtcSetGeometryOccludedFunction(geometry, user_occluded);
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
@@ -265,7 +213,8 @@ void MixedRays::set(std::uint32_t i, Vec3f from, Vec3f along) {
     origin[axis][i] = from[axis], direction[axis][i] = along[axis];
 }
 
-EmbreeBaseline::EmbreeBaseline(const ShapeSet& shapes) : data_(std::make_unique<Data>()) {
+EmbreeBaseline::EmbreeBaseline(const ShapeSet& shapes, EmbreeSpheres spheres)
+    : data_(std::make_unique<Data>()) {
   data_->device = rtcNewDevice(nullptr);
   if (!data_->device) throw std::runtime_error("Embree gives no device");
   rtcSetDeviceMemoryMonitorFunction(data_->device, count_memory, &data_->bytes);
@@ -275,7 +224,7 @@ EmbreeBaseline::EmbreeBaseline(const ShapeSet& shapes) : data_(std::make_unique<
     data_->kind.push_back(kind);
     data_->object.push_back(object);
   };
-  if (!shapes.spheres.empty()) {
+  if (spheres == EmbreeSpheres::native && !shapes.spheres.empty()) {
     add_spheres(data_->device, data_->scene, shapes.spheres);
     note(ShapeKind::sphere, 0);
   }
@@ -283,12 +232,15 @@ EmbreeBaseline::EmbreeBaseline(const ShapeSet& shapes) : data_(std::make_unique<
     add_mesh(data_->device, data_->scene, shapes.meshes[m]);
     note(ShapeKind::triangle, m);
   }
-  for (std::uint32_t i = 0; i < shapes.cones.size(); ++i)
-    data_->user_records.push_back(make_record(shapes, {ShapeKind::cone, i}, i));
-  for (std::uint32_t i = 0; i < shapes.rings.size(); ++i)
-    data_->user_records.push_back(make_record(shapes, {ShapeKind::ring, i}, i));
+  const auto add_records = [&](ShapeKind kind, std::size_t count) {
+    for (std::uint32_t i = 0; i < count; ++i)
+      data_->user_records.push_back(make_record(shapes, {kind, i}, i));
+  };
+  if (spheres == EmbreeSpheres::user) add_records(ShapeKind::sphere, shapes.spheres.size());
+  add_records(ShapeKind::cone, shapes.cones.size());
+  add_records(ShapeKind::ring, shapes.rings.size());
   if (!data_->user_records.empty()) {
-    add_user(data_->device, data_->scene, data_->user_records);
+    attach_records(data_->device, data_->scene, data_->user_records);
     note(ShapeKind::cone, 0);
   }
   rtcCommitScene(data_->scene);

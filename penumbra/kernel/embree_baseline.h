@@ -20,6 +20,10 @@ namespace penumbra {
 enum class Coherence { none, coherent };
 enum class EmbreeCall { packets_of_8, packets_of_16, stream };
 
+/// Embree's own spheres test one ray against several spheres, user geometry a packet against one:
+/// the latter is faster for the rays of a point (1.2 to 1.9 times, d = 32, AVX-512).
+enum class EmbreeSpheres { native, user };
+
 /// A way to ask Embree.
 struct EmbreeVariant {
   EmbreeCall call = EmbreeCall::packets_of_8;
@@ -43,12 +47,12 @@ struct MixedRays {
   void set(std::uint32_t i, Vec3f from, Vec3f along);
 };
 
-/// Native triangles and spheres; cones and rings as user geometry that calls our intersector.
+/// Native triangles and spheres; cones and rings as user geometry, tested in SIMD lanes.
 /// High-quality build.
 class EmbreeBaseline {
  public:
   /// Throws std::runtime_error when Embree cannot be had.
-  explicit EmbreeBaseline(const ShapeSet& shapes);
+  explicit EmbreeBaseline(const ShapeSet& shapes, EmbreeSpheres spheres = EmbreeSpheres::native);
   ~EmbreeBaseline();
   EmbreeBaseline(EmbreeBaseline&&) noexcept;
   EmbreeBaseline& operator=(EmbreeBaseline&&) noexcept;

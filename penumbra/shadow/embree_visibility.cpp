@@ -98,11 +98,13 @@ class EmbreeAnswers {
   /// One ray a point, to the light's centre.
   void hard(std::span<const ShadowQuery> queries, std::span<Visibility> seen) {
     const LightShape& shape = scene_.lights[light_];
+    const std::optional<Vec3f> middle = center(shape);
+    const Vec3f towards_sun = middle ? Vec3f{} : towards_center(shape, {});
     begin_rays(static_cast<std::uint32_t>(queries.size()),
-               center(shape) ? 1 : std::numeric_limits<float>::infinity());
+               middle ? 1 : std::numeric_limits<float>::infinity());
     for (std::uint32_t i = 0; i < queries.size(); ++i) {
       const auto& [position, normal] = queries[i].receiver;
-      const Vec3f to = towards_center(shape, position);
+      const Vec3f to = middle ? *middle - position : towards_sun;
       set_ray(i, position, to, dot(to, normal) > 0);
     }
     embree_.occluded(variant_, scratch_.rays, scratch_.active, scratch_.blocked);

@@ -193,41 +193,5 @@ TEST(Kernel, AgreesWithEmbreeOnMeshesAndSpheres) {
   EXPECT_LE(different, 20);  // grazing rays
 }
 
-TEST(Kernel, AgreesWithEmbreePacketsAboutABlockedLight) {
-  ShapeSet shapes;
-  shapes.meshes.push_back(ball_mesh(30));
-  const Kernel kernel(shapes, {});
-  const EmbreeBaseline embree(shapes);
-  Random random(5);
-  std::uint64_t ours = 0, different = 0;
-  for (int i = 0; i < 5'000; ++i) {
-    LightSamples rays;
-    rays.resize(40);
-    rays.origin = normalize(random.in_cube()) * 3.0f;
-    for (std::size_t k = 0; k < rays.x.size(); ++k) {
-      const Vec3f d = random.in_cube() * 1.2f - rays.origin;
-      rays.x[k] = 2 * d.x, rays.y[k] = 2 * d.y, rays.z[k] = 2 * d.z;
-    }
-    const std::vector<std::uint32_t> active = all_active(rays);
-    std::vector<std::uint32_t> a(2), b(2);
-    kernel.occluded(rays, active, a);
-    MixedRays mixed;
-    mixed.resize(rays.count);
-    for (std::uint32_t k = 0; k < rays.count; ++k)
-      mixed.set(k, rays.origin, {rays.x[k], rays.y[k], rays.z[k]});
-    for (const EmbreeVariant variant : embree.variants()) {
-      embree.occluded(variant, rays, active, b);
-      for (int w = 0; w < 2; ++w)
-        different += static_cast<std::uint64_t>(__builtin_popcount(a[w] ^ b[w]));
-      std::vector<std::uint32_t> c(2);
-      embree.occluded(variant, mixed, active, c);
-      EXPECT_EQ(b, c) << name_of(variant);
-    }
-    ours += static_cast<std::uint64_t>(__builtin_popcount(a[0]) + __builtin_popcount(a[1]));
-  }
-  EXPECT_GT(ours, 10'000u);
-  EXPECT_LE(different, 40u);
-}
-
 }  // namespace
 }  // namespace penumbra
