@@ -34,7 +34,7 @@ struct Options {
   std::vector<std::string> scenes;
   SceneWishes wishes;
   RenderOptions render;
-  std::vector<Method> methods = all_methods();
+  BenchMethods methods{all_methods(), EmbreeSpheres::native};
   std::vector<std::uint32_t> shadow_samples{32}, threads{1};
   std::vector<std::optional<Radius>> radii{std::nullopt};
   std::optional<PixelSize> size;  ///< none: the camera's own
@@ -84,7 +84,7 @@ void add_options(CLI::App& app, Options& o) {
     add_parsed(app, name, value, help, parse);
   };
   add("--methods", "LIST", "Such as stochastic,shaft (default: all)",
-      [&o](Text text) { o.methods = parse_methods(text); });
+      [&o](Text text) { o.methods.methods = parse_methods(text); });
   add("--shadow-samples", "LIST", "Samples a point and light (default 32)", [&o](Text text) {
     o.shadow_samples.clear();
     for (Text part : parse_list(text)) o.shadow_samples.push_back(count(part, 1, 65536));
@@ -101,6 +101,9 @@ void add_options(CLI::App& app, Options& o) {
     o.threads.clear();
     for (Text part : parse_list(text)) o.threads.push_back(thread_count(part));
   });
+  add("--embree-spheres", "KIND",
+      "native (default), or user: as user geometry, which is faster for many rays a point",
+      [&o](Text text) { o.methods.spheres = parse_embree_spheres(text); });
   add("--rounds", "N", "Of everything; medians over them are told (default 5)",
       [&o](Text text) { o.rounds = count(text, 1, 1000); });
   app.add_option("--json", o.json, "Write the rows as JSON")->type_name("FILE");

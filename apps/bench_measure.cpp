@@ -230,16 +230,16 @@ class Race {
 
 }  // namespace
 
-BenchScene::BenchScene(const Scene& scene_, const std::vector<Method>& wanted,
+BenchScene::BenchScene(const Scene& scene_, const BenchMethods& wanted,
                        const RenderOptions& options_)
     : scene(scene_),
       options(options_),
       kernel(timed(kernel_seconds, [&] { return Kernel(scene.shapes, kernel_options(scene)); })),
       casters(casters_of(scene)),
-      embree(timed(embree_seconds, [&] { return EmbreeBaseline(casters); })),
+      embree(timed(embree_seconds, [&] { return EmbreeBaseline(casters, wanted.spheres); })),
       hard(prepare_shadows(scene, kernel, Method::hard)),
       work(record_shadow_work(scene, kernel, options)) {
-  for (const Method method : wanted)
+  for (const Method method : wanted.methods)
     methods.push_back(timed(method_seconds.emplace_back(),
                             [&] { return prepare_shadows(scene, kernel, method); }));
 }

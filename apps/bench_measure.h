@@ -12,11 +12,16 @@
 
 namespace penumbra {
 
+/// What is measured. `methods` hold `stochastic`.
+struct BenchMethods {
+  std::vector<Method> methods;
+  EmbreeSpheres spheres = EmbreeSpheres::native;
+};
+
 /// A scene, prepared for all methods and for Embree.
 struct BenchScene {
-  /// `scene` must be complete and live as long. `methods` hold `stochastic`. Builds are timed, on
-  /// as many threads as TBB allows.
-  BenchScene(const Scene& scene, const std::vector<Method>& methods, const RenderOptions& options);
+  /// `scene` must be complete and live as long. Builds are timed, on as many threads as TBB allows.
+  BenchScene(const Scene& scene, const BenchMethods& wanted, const RenderOptions& options);
 
   const Scene& scene;
   RenderOptions options;

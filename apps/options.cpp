@@ -169,6 +169,12 @@ std::string_view name_of(Method method) {
   return {};
 }
 
+EmbreeSpheres parse_embree_spheres(std::string_view text) {
+  static constexpr std::array kinds = {Choice<EmbreeSpheres>{"native", EmbreeSpheres::native},
+                                       Choice<EmbreeSpheres>{"user", EmbreeSpheres::user}};
+  return choose<EmbreeSpheres>(text, kinds);
+}
+
 std::vector<Aov> parse_aovs(std::string_view text) {
   static constexpr std::array layers = {
       Choice<Aov>{"class", Aov::light_class}, Choice<Aov>{"visibility", Aov::visibility},

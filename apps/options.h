@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "penumbra/kernel/embree_baseline.h"
 #include "penumbra/scene/complete_scene.h"
 #include "penumbra/scene_io/read_scene.h"
 #include "penumbra/trace/render.h"
@@ -55,6 +56,9 @@ Method parse_method(std::string_view text);
 /// In the order in which help and tables name them.
 std::vector<Method> all_methods();
 std::string_view name_of(Method method);
+
+/// `native` or `user`.
+EmbreeSpheres parse_embree_spheres(std::string_view text);
 
 /// `class,visibility,depth,normal,samples`, any of them.
 std::vector<Aov> parse_aovs(std::string_view text);
