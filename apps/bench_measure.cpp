@@ -4,15 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <string_view>
 #include <utility>
 
 #include "options.h"
 #include "penumbra/scene/error.h"
-#include "penumbra/trace/pixel.h"
 #include "penumbra/trace/prepare.h"
+#include "penumbra/trace/verify.h"
 #include "resources.h"
 
 namespace penumbra {
@@ -79,26 +78,16 @@ EmbreeVariant best_variant(const EmbreeBaseline& embree, const ShadowScene& scen
   return variants[best];
 }
 
-bool same_bits(const Visibility& a, const Visibility& b) {
-  return std::bit_cast<std::uint32_t>(a.cosine_weighted) ==
-             std::bit_cast<std::uint32_t>(b.cosine_weighted) &&
-         std::bit_cast<std::uint32_t>(a.fraction) == std::bit_cast<std::uint32_t>(b.fraction);
-}
-
 /// Names the first question that a method answers otherwise than the judge.
-void check_identity(const std::string& scene, std::string_view method, const ShadowWork& work,
-                    const RenderOptions& options, std::span<const Visibility> judge,
+void check_identity(const std::string& scene, const ShadowWork& work, const RenderOptions& options,
+                    std::string_view method, std::span<const Visibility> judge,
                     std::span<const Visibility> seen) {
   for (const ShadowBatch& batch : work.batches)
     for (std::size_t i = batch.first; i < batch.first + batch.count; ++i) {
-      if (same_bits(judge[i], seen[i])) continue;
-      const PixelSample at = find_sample(options, batch.path, batch.light, work.queries[i].key)
-                                 .value_or(PixelSample{});
-      throw Error({scene, {}, {}},
-                  fmt::format("method {} differs from stochastic at pixel {},{} (sample {}, path "
-                              "{}, light {}): sees {:.9g}, not {:.9g}",
-                              method, at.x, at.y, at.sample, batch.path, batch.light,
-                              seen[i].fraction, judge[i].fraction));
+      if (is_same_answer(judge[i], seen[i])) continue;
+      const WrongAnswer wrong{{batch.path, batch.light, work.queries[i], seen[i]}, judge[i]};
+      throw Error({scene, {}, {}}, fmt::format("{} is not stochastic, d = {}: {}", method,
+                                               options.shadow_samples, to_text(wrong, options)));
     }
 }
 
@@ -157,7 +146,7 @@ class Race {
       if (!one.shadows)
         one.different_samples = different_samples(one.name == "embree" ? judge : hard, seen);
       else if (one.shadows->method != Method::hard)
-        check_identity(name, one.name, bench_.work, options_, judge, seen);
+        check_identity(name, bench_.work, options_, one.name, judge, seen);
     }
   }
 

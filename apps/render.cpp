@@ -12,9 +12,11 @@
 #include "commands.h"
 #include "deferred_signals.h"
 #include "options.h"
+#include "penumbra/scene/error.h"
 #include "penumbra/scene_io/image_io.h"
 #include "penumbra/scene_io/write_scene.h"
 #include "penumbra/trace/prepare.h"
+#include "penumbra/trace/verify.h"
 #include "progress.h"
 #include "render_report.h"
 #include "resources.h"
@@ -33,6 +35,7 @@ struct Options {
   std::optional<PixelSize> size;  ///< none: the camera's own
   std::optional<PixelPosition> pixel;
   float exposure_ev = 0;
+  std::size_t verify = 0;  ///< answers to ask the judge about
   bool always_progress = false;
 };
 
@@ -60,6 +63,8 @@ void add_shadow_options(CLI::App& app, Options& o) {
   add("--shadow-samples", "D", "Samples a point and light (default 32)", [&o](Text text) {
     o.render.shadow_samples = static_cast<std::uint32_t>(parse_count(text, 1, 65536));
   });
+  add("--verify", "N", "Ask N of the picture's answers again by stochastic; one that differs fails",
+      [&o](Text text) { o.verify = parse_count(text, 1, 1u << 30); });
   add("--light-radius", "R", "Make point and ball lights balls of this radius; N% of the extent",
       [&o](Text text) { o.wishes.complete.light_radius = parse_light_radius(text); });
 }
@@ -92,6 +97,9 @@ constexpr const char* examples =
 
 /// Checks what no single option can.
 void check(const Options& o) {
+  if (o.verify > 0 && o.method == Method::hard)
+    throw UsageError("--verify: hard draws another picture than stochastic; choose another method");
+  if (o.verify > 0 && o.pixel) throw UsageError("--verify is about a picture, --pixel draws none");
   if (o.pixel) return;
   if (o.output.empty()) throw UsageError("-o FILE is missing: where should the picture go?");
   if (!o.render.aovs.empty() && !has_extension(o.output, ".exr"))
@@ -118,12 +126,37 @@ void take_size(Options& o, const Scene& scene) {
                                  o.pixel->y, size.width, size.height));
 }
 
-Picture render_with_progress(const Options& o, const Scene& scene, const ShadowScene& shadows) {
+/// Draws the picture; `draw` gets some of its answers.
+Picture render_with_progress(const Options& o, const Scene& scene, const ShadowScene& shadows,
+                             AnswerDraw& draw) {
   Progress progress("rendering " + std::filesystem::path(o.scene).filename().string(),
                     o.always_progress ? ProgressWish::always : ProgressWish::on_terminal);
   RenderOptions options = o.render;
   options.progress = [&progress](double share) { progress.update(share); };
+  if (o.verify > 0) options.observe = [&draw](const AnsweredBatch& batch) { draw.add(batch); };
   return render(scene, shadows, options);
+}
+
+/// Throws Error when an answer is not the judge's. Small scenes are judged by brute force.
+std::size_t verify(const Options& o, const Scene& scene, const Kernel& kernel,
+                   const AnswerDraw& draw) {
+  constexpr std::size_t fewest_for_hierarchy = 10'000;
+  const std::vector<GivenAnswer> answers = draw.answers();
+  if (answers.empty()) return 0;
+  std::optional<Kernel> brute;
+  if (primitive_count(scene.shapes) < fewest_for_hierarchy) {
+    KernelOptions options = kernel_options(scene);
+    options.kind = KernelKind::brute;
+    brute.emplace(scene.shapes, options);
+  }
+  const ShadowScene judge = prepare_shadows(scene, brute ? *brute : kernel, Method::stochastic);
+  if (const auto wrong = find_wrong_answer(judge, o.render.shadow_samples, answers))
+    throw Error(
+        {o.scene, {}, {}},
+        fmt::format("--verify: {} is wrong at {}", name_of(o.method), to_text(*wrong, o.render)),
+        "nothing was written; this is a bug of penumbra's, please report it");
+  fmt::print(stderr, "verified {} answers of {}\n", answers.size(), name_of(o.method));
+  return answers.size();
 }
 
 void take_scene(Options& o) {
@@ -147,7 +180,7 @@ int run(Options o, const std::vector<std::string>& arguments) {
   }
   if (!o.pixel && !o.stats.empty()) check_output_path(o.stats);
 
-  RenderReport report{o.scene, arguments, {}, o.method, 0, 0, 0, 0};
+  RenderReport report{o.scene, arguments, {}, o.method, 0, 0, 0, 0, 0};
   const double start = now_seconds();
   const Scene scene = complete_scene(load_scene(o.scene, o.wishes.read), o.wishes.complete);
   take_size(o, scene);
@@ -164,7 +197,9 @@ int run(Options o, const std::vector<std::string>& arguments) {
     fmt::print("{}", explain_pixel(scene, shadows, o.render, o.pixel->x, o.pixel->y));
     return 0;
   }
-  Picture picture = render_with_progress(o, scene, shadows);
+  AnswerDraw draw(o.verify, o.render.seed);
+  Picture picture = render_with_progress(o, scene, shadows, draw);
+  report.verified = verify(o, scene, kernel, draw);
   add_metadata(report, picture);
   const DeferredSignals until_written;
   write_image(o.output, picture.image, o.exposure_ev);
