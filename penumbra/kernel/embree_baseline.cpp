@@ -300,7 +300,8 @@ void EmbreeBaseline::occluded(EmbreeVariant variant, const MixedRays& rays,
 }
 
 std::size_t EmbreeBaseline::memory_bytes() const {
-  return static_cast<std::size_t>(data_->bytes.load());
+  return static_cast<std::size_t>(data_->bytes.load()) +
+         data_->user_records.capacity() * sizeof(Record);
 }
 
 }  // namespace penumbra

@@ -70,7 +70,7 @@ class EmbreeBaseline {
   void occluded(EmbreeVariant variant, const MixedRays& rays, std::span<const std::uint32_t> active,
                 std::span<std::uint32_t> blocked) const;
 
-  /// What Embree has allocated for it, by its memory monitor.
+  /// What Embree has allocated for it, by its memory monitor, and the shapes of user geometry.
   std::size_t memory_bytes() const;
 
  private:
