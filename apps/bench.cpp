@@ -15,6 +15,7 @@
 #include "bench_report.h"
 #include "commands.h"
 #include "options.h"
+#include "penumbra/scene/error.h"
 #include "penumbra/scene_io/image_io.h"
 #include "penumbra/scene_io/write_scene.h"
 #include "progress.h"
@@ -125,6 +126,9 @@ void run_scene(const Options& o, const std::string& name, std::vector<BenchCell>
       const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, threads);
       render.threads = threads;
       const BenchScene bench(scene, o.methods, render);
+      if (bench.work.queries.empty())
+        throw Error({name, {}, {}}, "the picture shows nothing that light could fall on",
+                    "turn the camera with --from and --at");
       for (const std::uint32_t d : o.shadow_samples) {
         BenchCell cell{name, {}, threads, d, bench.work.queries.size(), {}};
         if (radius) cell.light_radius = radius->text;

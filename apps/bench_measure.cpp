@@ -174,7 +174,7 @@ class Race {
     const auto shadow = [](const Contestant& one) { return median(one.shadow_seconds); };
     const Contestant &judge = contestants_[judge_], &embree = contestants_.end()[-2],
                      &embree_hard = contestants_.back();
-    const double without_shadows = median(judge.render_seconds) - shadow(judge);
+    const double without_shadows = std::max(0.0, median(judge.render_seconds) - shadow(judge));
     std::vector<BenchRow> rows;
     for (const Contestant& one : contestants_) {
       const double render =
@@ -236,6 +236,7 @@ BenchScene::BenchScene(const Scene& scene_, const BenchMethods& wanted,
 std::vector<BenchRow> measure(const BenchScene& bench, const std::string& name,
                               std::uint32_t shadow_samples, std::uint32_t rounds,
                               const std::function<void(double)>& progress) {
+  progress(0);
   Race race(bench, shadow_samples);
   race.check(name);
   race.run(rounds, progress);

@@ -102,6 +102,7 @@ class Bench(CliTest):
 
     def test_bad_input(self):
         self.fail_with(1, "bench", "nothing.nff", *TINY, says="^nothing.nff: .*built-in")
+        self.fail_with(1, "bench", "small.nff", *TINY, "--from", "0,0,50", "--at", "0,0,99", says="^small.nff: .*--at")
         self.fail_with(1, "bench", "small.nff", *TINY, "--json", "none/b.json", says="^none/b.json")
 
     def test_progress_on_a_terminal_leaves_a_clean_line(self):
