@@ -57,7 +57,7 @@ constexpr const char* examples =
     "Examples:\n"
     "  penumbra bench balls:4 bust --shadow-samples 32,256 --light-radius 1%,5%,15% --json b.json\n"
     "  penumbra bench city.glb --light sun 0.3 1 0.2 0.53 --methods shaft --size 256x256\n"
-    "  penumbra bench --threads 1,0                      # the built-in scenes, one thread and all\n";
+    "  penumbra bench --threads 1,0                 # the built-in scenes, one thread and all\n";
 
 std::uint32_t count(const std::string& text, std::uint64_t least, std::uint64_t most) {
   return static_cast<std::uint32_t>(parse_count(text, least, most));
