@@ -25,5 +25,6 @@ Command add_render(CLI::App& program, const std::vector<std::string>& arguments)
 Command add_info(CLI::App& program);
 Command add_generate(CLI::App& program);
 Command add_compare(CLI::App& program);
+Command add_bench(CLI::App& program);
 
 }  // namespace penumbra

@@ -62,9 +62,9 @@ Value choose(std::string_view text, std::span<const Choice<Value>> choices) {
 }
 
 constexpr std::array methods = {
-    Choice<Method>{"hard", Method::hard}, Choice<Method>{"stochastic", Method::stochastic},
+    Choice<Method>{"hard", Method::hard},     Choice<Method>{"stochastic", Method::stochastic},
     Choice<Method>{"offset", Method::offset}, Choice<Method>{"reduced", Method::reduced},
-    Choice<Method>{"umbra", Method::umbra}, Choice<Method>{"shaft", Method::shaft}};
+    Choice<Method>{"umbra", Method::umbra},   Choice<Method>{"shaft", Method::shaft}};
 
 }  // namespace
 
@@ -145,12 +145,34 @@ MoleculeStyle parse_style(std::string_view text) {
   return choose<MoleculeStyle>(text, styles);
 }
 
+std::vector<std::string> parse_list(std::string_view text) {
+  std::vector<std::string> list;
+  for (;;) {
+    const std::size_t comma = text.find(',');
+    list.emplace_back(text.substr(0, comma));
+    if (comma == text.npos) return list;
+    text.remove_prefix(comma + 1);
+  }
+}
+
 Method parse_method(std::string_view text) { return choose<Method>(text, methods); }
+
+std::vector<Method> all_methods() {
+  std::vector<Method> all;
+  for (const Choice<Method>& choice : methods) all.push_back(choice.value);
+  return all;
+}
 
 std::string_view name_of(Method method) {
   for (const Choice<Method>& choice : methods)
     if (choice.value == method) return choice.name;
   return {};
+}
+
+EmbreeSpheres parse_embree_spheres(std::string_view text) {
+  static constexpr std::array kinds = {Choice<EmbreeSpheres>{"native", EmbreeSpheres::native},
+                                       Choice<EmbreeSpheres>{"user", EmbreeSpheres::user}};
+  return choose<EmbreeSpheres>(text, kinds);
 }
 
 std::vector<Aov> parse_aovs(std::string_view text) {
@@ -159,13 +181,11 @@ std::vector<Aov> parse_aovs(std::string_view text) {
       Choice<Aov>{"depth", Aov::depth}, Choice<Aov>{"normal", Aov::normal},
       Choice<Aov>{"samples", Aov::samples}};
   std::vector<Aov> aovs;
-  for (;;) {
-    const std::size_t comma = text.find(',');
-    const Aov aov = choose<Aov>(text.substr(0, comma), layers);
+  for (const std::string& name : parse_list(text)) {
+    const Aov aov = choose<Aov>(name, layers);
     if (std::find(aovs.begin(), aovs.end(), aov) == aovs.end()) aovs.push_back(aov);
-    if (comma == text.npos) return aovs;
-    text.remove_prefix(comma + 1);
   }
+  return aovs;
 }
 
 std::vector<Light> parse_lights(const std::vector<std::string>& words) {

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "penumbra/kernel/embree_baseline.h"
 #include "penumbra/scene/complete_scene.h"
 #include "penumbra/scene_io/read_scene.h"
 #include "penumbra/trace/render.h"
@@ -48,8 +49,16 @@ LightRadius parse_light_radius(std::string_view text);
 std::variant<GroundChoice, double> parse_ground(std::string_view text);
 MoleculeStyle parse_style(std::string_view text);
 
+/// What stands between the commas.
+std::vector<std::string> parse_list(std::string_view text);
+
 Method parse_method(std::string_view text);
+/// In the order in which help and tables name them.
+std::vector<Method> all_methods();
 std::string_view name_of(Method method);
+
+/// `native` or `user`.
+EmbreeSpheres parse_embree_spheres(std::string_view text);
 
 /// `class,visibility,depth,normal,samples`, any of them.
 std::vector<Aov> parse_aovs(std::string_view text);

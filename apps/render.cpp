@@ -5,7 +5,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -13,14 +12,16 @@
 #include "commands.h"
 #include "deferred_signals.h"
 #include "options.h"
+#include "penumbra/scene/error.h"
 #include "penumbra/scene_io/image_io.h"
-#include "penumbra/scene_io/numbers.h"
 #include "penumbra/scene_io/write_scene.h"
 #include "penumbra/trace/prepare.h"
+#include "penumbra/trace/verify.h"
 #include "progress.h"
 #include "render_report.h"
 #include "resources.h"
 #include "scene_argument.h"
+#include "scene_options.h"
 #include "usage_error.h"
 
 namespace penumbra {
@@ -28,14 +29,13 @@ namespace {
 
 struct Options {
   std::string scene, output, stats;
-  ReadOptions read;
-  SceneOptions complete;
+  SceneWishes wishes;
   RenderOptions render;
   Method method = Method::stochastic;
   std::optional<PixelSize> size;  ///< none: the camera's own
   std::optional<PixelPosition> pixel;
-  std::vector<std::string> light_words;
   float exposure_ev = 0;
+  std::size_t verify = 0;  ///< answers to ask the judge about
   bool always_progress = false;
 };
 
@@ -46,12 +46,7 @@ void add_picture_options(CLI::App& app, Options& o) {
   });
   add_parsed(app, "--size", "WxH", "Pixels (default: the file's, else 512x512)",
              [&o](Text text) { o.size = parse_size(text); });
-  add_parsed(app, "--spp", "N", "Samples a pixel, for smooth edges (default 1)", [&o](Text text) {
-    o.render.samples_per_pixel = static_cast<std::uint32_t>(parse_count(text, 1, 65536));
-  });
-  add_parsed(app, "--depth", "N", "Longest path of mirrors and glass (default 5)", [&o](Text text) {
-    o.render.depth = static_cast<std::uint32_t>(parse_count(text, 1, 64));
-  });
+  add_ray_options(app, o.render);
   add_parsed(app, "--exposure", "EV", "Brighten (> 0) or darken a PNG, in stops",
              [&o](Text text) { o.exposure_ev = static_cast<float>(parse_number(text, -64, 64)); });
   add_parsed(app, "--aov", "LIST", "EXR layers: any of class,visibility,depth,normal,samples",
@@ -68,35 +63,10 @@ void add_shadow_options(CLI::App& app, Options& o) {
   add("--shadow-samples", "D", "Samples a point and light (default 32)", [&o](Text text) {
     o.render.shadow_samples = static_cast<std::uint32_t>(parse_count(text, 1, 65536));
   });
+  add("--verify", "N", "Ask N of the picture's answers again by stochastic; one that differs fails",
+      [&o](Text text) { o.verify = parse_count(text, 1, 1u << 30); });
   add("--light-radius", "R", "Make point and ball lights balls of this radius; N% of the extent",
-      [&o](Text text) { o.complete.light_radius = parse_light_radius(text); });
-  add("--seed", "N", "Of the random numbers (default 0)", [&o](Text text) {
-    o.render.seed = parse_count(text, 0, std::numeric_limits<std::uint64_t>::max());
-  });
-  app.add_flag("--clear-glass", o.complete.clear_glass, "Transparent things cast no shadow")
-      ->group("Shadows");
-}
-
-void add_scene_options(CLI::App& app, Options& o) {
-  using Text = const std::string&;
-  const auto add = [&app](const char* name, const char* value, const char* help, auto parse) {
-    add_parsed(app, name, value, help, parse)->group("Scene");
-  };
-  add("--from", "x,y,z", "Camera position",
-      [&o](Text text) { o.complete.from = parse_vector(text); });
-  add("--at", "x,y,z", "What it looks at", [&o](Text text) { o.complete.at = parse_vector(text); });
-  add("--up", "x,y,z", "Its upward direction",
-      [&o](Text text) { o.complete.up = parse_vector(text); });
-  add("--fov", "DEG", "Vertical field of view",
-      [&o](Text text) { o.complete.fov_deg = parse_number(text, 0.001, 179.999); });
-  add("--ground", "auto|none|HEIGHT", "A floor (default auto: under bare models)",
-      [&o](Text text) { o.complete.ground = parse_ground(text); });
-  add("--background", "r,g,b", "Colour where nothing is hit",
-      [&o](Text text) { o.complete.background = parse_color(text); });
-  app.add_option("--light", o.light_words,
-                 "Add a light, see below; the first one replaces the file's")
-      ->type_name("SPEC")
-      ->group("Scene");
+      [&o](Text text) { o.wishes.complete.light_radius = parse_light_radius(text); });
 }
 
 void add_run_options(CLI::App& app, Options& o) {
@@ -118,12 +88,7 @@ void add_run_options(CLI::App& app, Options& o) {
       ->group("Run");
 }
 
-constexpr const char* footer =
-    "Lights (numbers in scene units, each with an optional r g b at the end):\n"
-    "  point x y z                              rect cx cy cz ux uy uz vx vy vz (half edges)\n"
-    "  sphere cx cy cz r                        disk cx cy cz nx ny nz r (n: its normal)\n"
-    "  line ax ay az bx by bz (from a to b)     polygon n x y z ... (n corners, convex, in order)\n"
-    "  mesh n x y z ... (convex hull of n)      sun dx dy dz degrees (towards it; diameter)\n\n"
+constexpr const char* examples =
     "Examples:\n"
     "  penumbra render bust.ply -o bust.png\n"
     "  penumbra render balls:4 -o balls.png --shadow-samples 64 --light-radius 5%\n"
@@ -132,9 +97,9 @@ constexpr const char* footer =
 
 /// Checks what no single option can.
 void check(const Options& o) {
-  if (o.complete.from && o.complete.at && *o.complete.from == *o.complete.at)
-    throw UsageError("--from and --at are the same point");
-  if (o.complete.up && *o.complete.up == Vec3d{}) throw UsageError("--up 0,0,0 is no direction");
+  if (o.verify > 0 && o.method == Method::hard)
+    throw UsageError("--verify: hard draws another picture than stochastic; choose another method");
+  if (o.verify > 0 && o.pixel) throw UsageError("--verify is about a picture, --pixel draws none");
   if (o.pixel) return;
   if (o.output.empty()) throw UsageError("-o FILE is missing: where should the picture go?");
   if (!o.render.aovs.empty() && !has_extension(o.output, ".exr"))
@@ -161,28 +126,51 @@ void take_size(Options& o, const Scene& scene) {
                                  o.pixel->y, size.width, size.height));
 }
 
-Picture render_with_progress(const Options& o, const Scene& scene, const ShadowScene& shadows) {
+/// Draws the picture; `draw` gets some of its answers.
+Picture render_with_progress(const Options& o, const Scene& scene, const ShadowScene& shadows,
+                             AnswerDraw& draw) {
   Progress progress("rendering " + std::filesystem::path(o.scene).filename().string(),
                     o.always_progress ? ProgressWish::always : ProgressWish::on_terminal);
   RenderOptions options = o.render;
   options.progress = [&progress](double share) { progress.update(share); };
+  if (o.verify > 0) options.observe = [&draw](const AnsweredBatch& batch) { draw.add(batch); };
   return render(scene, shadows, options);
 }
 
-/// The words of --light have no end of their own: a scene that stands behind them is taken back.
-void take_scene_from_lights(Options& o) {
-  std::vector<std::string>& words = o.light_words;
-  if (o.scene.empty() && words.size() > 1 && !parse_double(words.back())) {
-    o.scene = words.back();
-    words.pop_back();
+/// Throws Error when an answer is not the judge's. Small scenes are judged by brute force.
+std::size_t verify(const Options& o, const Scene& scene, const Kernel& kernel,
+                   const AnswerDraw& draw) {
+  constexpr std::size_t fewest_for_hierarchy = 10'000;
+  const std::vector<GivenAnswer> answers = draw.answers();
+  if (answers.empty()) return 0;
+  std::optional<Kernel> brute;
+  if (primitive_count(scene.shapes) < fewest_for_hierarchy) {
+    KernelOptions options = kernel_options(scene);
+    options.kind = KernelKind::brute;
+    brute.emplace(scene.shapes, options);
   }
-  if (o.scene.empty())
-    throw UsageError("SCENE is missing: a file, or the name of a built-in scene");
+  const ShadowScene judge = prepare_shadows(scene, brute ? *brute : kernel, Method::stochastic);
+  if (const auto wrong = find_wrong_answer(judge, o.render.shadow_samples, answers))
+    throw Error(
+        {o.scene, {}, {}},
+        fmt::format("--verify: {} is wrong at {}", name_of(o.method), to_text(*wrong, o.render)),
+        "nothing was written; this is a bug of penumbra's, please report it");
+  fmt::print(stderr, "verified {} answers of {}\n", answers.size(), name_of(o.method));
+  return answers.size();
+}
+
+void take_scene(Options& o) {
+  std::vector<std::string> scenes;
+  if (!o.scene.empty()) scenes.push_back(o.scene);
+  take_back_scenes(o.wishes, scenes);
+  if (scenes.empty()) throw UsageError("SCENE is missing: a file, or the name of a built-in scene");
+  if (scenes.size() > 1) throw UsageError(scenes[1] + ": one SCENE at a time");
+  o.scene = scenes.front();
 }
 
 int run(Options o, const std::vector<std::string>& arguments) {
-  take_scene_from_lights(o);
-  o.complete.lights = parse_lights(o.light_words);
+  take_scene(o);
+  finish(o.wishes);
   check(o);
   if (!o.pixel) {
     check_files_differ(o.scene, o.output);
@@ -192,9 +180,9 @@ int run(Options o, const std::vector<std::string>& arguments) {
   }
   if (!o.pixel && !o.stats.empty()) check_output_path(o.stats);
 
-  RenderReport report{o.scene, arguments, {}, o.method, 0, 0, 0, 0};
+  RenderReport report{o.scene, arguments, {}, o.method, 0, 0, 0, 0, 0};
   const double start = now_seconds();
-  const Scene scene = complete_scene(load_scene(o.scene, o.read), o.complete);
+  const Scene scene = complete_scene(load_scene(o.scene, o.wishes.read), o.wishes.complete);
   take_size(o, scene);
   const double loaded = now_seconds();
   const Kernel kernel(scene.shapes, kernel_options(scene));
@@ -209,7 +197,9 @@ int run(Options o, const std::vector<std::string>& arguments) {
     fmt::print("{}", explain_pixel(scene, shadows, o.render, o.pixel->x, o.pixel->y));
     return 0;
   }
-  Picture picture = render_with_progress(o, scene, shadows);
+  AnswerDraw draw(o.verify, o.render.seed);
+  Picture picture = render_with_progress(o, scene, shadows, draw);
+  report.verified = verify(o, scene, kernel, draw);
   add_metadata(report, picture);
   const DeferredSignals until_written;
   write_image(o.output, picture.image, o.exposure_ev);
@@ -226,10 +216,9 @@ Command add_render(CLI::App& program, const std::vector<std::string>& arguments)
   app->add_option("SCENE", options->scene, scene_argument_help);
   add_picture_options(*app, *options);
   add_shadow_options(*app, *options);
-  add_scene_options(*app, *options);
-  add_read_options(*app, options->read);
+  add_scene_options(*app, options->wishes);
   add_run_options(*app, *options);
-  app->footer(footer);
+  app->footer(std::string(lights_help) + examples);
   return {app, [options, arguments] { return run(*options, arguments); }};
 }
 

@@ -53,6 +53,7 @@ std::string stats_json(const RenderReport& report, const Picture& picture) {
                            n.primary + n.reflected + n.refracted + n.shadow.rays)},
         {"shadow", ratio(n.shadow.set_tests, n.shadow.set_rays)}}},
       {"cache_decided", n.shadow.cache_decided},
+      {"verified", report.verified},
       {"memory_bytes", {{"geometry", report.geometry_bytes}, {"shadow", report.shadow_bytes}}},
       {"peak_rss_bytes", peak_rss_bytes()}};
   return json.dump(2) + "\n";

@@ -18,6 +18,7 @@ struct RenderReport {
   Method method = Method::stochastic;
   double load_seconds = 0, build_seconds = 0;
   std::size_t geometry_bytes = 0, shadow_bytes = 0;
+  std::size_t verified = 0;  ///< answers that the judge confirmed
 };
 
 /// The `--stats` file: JSON, keys as docs/formats.md lists them.

@@ -87,7 +87,7 @@ void add_all(const std::string& scene, float radius_percent, std::uint32_t d) {
   const std::string suffix = "/" + scene +
                              "/radius:" + std::to_string(static_cast<int>(radius_percent)) +
                              "%/d:" + std::to_string(d);
-  const auto occluded = [&](const char* name, auto function) {
+  const auto occluded = [&](const std::string& name, auto function) {
     benchmark::RegisterBenchmark((name + suffix).c_str(), [=](benchmark::State& state) {
       run_occluded(state, *work, [&](auto&&... arguments) { function(*work, arguments...); });
     })->Unit(benchmark::kMillisecond);
@@ -97,18 +97,10 @@ void add_all(const std::string& scene, float radius_percent, std::uint32_t d) {
   occluded("occluded", [](const Workload& w, const LightSamples& r, Words a, Out b) {
     w.kernel.occluded(r, a, b);
   });
-  occluded("rtcOccluded8.coherent", [](const Workload& w, const LightSamples& r, Words a, Out b) {
-    w.embree.occluded8(r, a, b, Coherence::coherent);
-  });
-  occluded("rtcOccluded8", [](const Workload& w, const LightSamples& r, Words a, Out b) {
-    w.embree.occluded8(r, a, b, Coherence::none);
-  });
-  occluded("rtcOccluded16.coherent", [](const Workload& w, const LightSamples& r, Words a, Out b) {
-    w.embree.occluded16(r, a, b, Coherence::coherent);
-  });
-  occluded("rtcOccluded1M", [](const Workload& w, const LightSamples& r, Words a, Out b) {
-    w.embree.occluded_stream(r, a, b, Coherence::none);
-  });
+  for (const EmbreeVariant variant : work->embree.variants())
+    occluded(name_of(variant), [=](const Workload& w, const LightSamples& r, Words a, Out b) {
+      w.embree.occluded(variant, r, a, b);
+    });
   if (radius_percent > 5 || d > 32) return;
   benchmark::RegisterBenchmark(("closest/" + scene).c_str(), [=](benchmark::State& state) {
     run_closest(state, *work, [&](const Ray& ray) { return work->kernel.closest(ray); });

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "penumbra/kernel/embree_user_geometry.h"
 #include "penumbra/kernel/record.h"
-#include "penumbra/kernel/traverse.h"
 
 namespace penumbra {
 
@@ -66,58 +66,6 @@ void add_spheres(RTCDevice device, RTCScene scene, const std::vector<Sphere>& sp
   rtcReleaseGeometry(geometry);
 }
 
-void user_bounds(const RTCBoundsFunctionArguments* arguments) {
-  const Box b = bounds(
-      (*static_cast<const std::vector<Record>*>(arguments->geometryUserPtr))[arguments->primID]);
-  *arguments->bounds_o = {b.lo.x, b.lo.y, b.lo.z, 0, b.hi.x, b.hi.y, b.hi.z, 0};
-}
-
-/// The record against ray `i` of a packet, by our own intersector.
-NearestRecord test_user(const std::vector<Record>& records, unsigned primitive, RTCRayN* ray,
-                        unsigned n, unsigned i) {
-  const Ray one{{RTCRayN_org_x(ray, n, i), RTCRayN_org_y(ray, n, i), RTCRayN_org_z(ray, n, i)},
-                {RTCRayN_dir_x(ray, n, i), RTCRayN_dir_y(ray, n, i), RTCRayN_dir_z(ray, n, i)},
-                RTCRayN_tnear(ray, n, i),
-                RTCRayN_tfar(ray, n, i)};
-  return nearest_brute({&records[primitive], 1}, one);
-}
-
-void user_intersect(const RTCIntersectFunctionNArguments* arguments) {
-  const auto& records = *static_cast<const std::vector<Record>*>(arguments->geometryUserPtr);
-  RTCRayN* rays = RTCRayHitN_RayN(arguments->rayhit, arguments->N);
-  RTCHitN* hits = RTCRayHitN_HitN(arguments->rayhit, arguments->N);
-  for (unsigned i = 0; i < arguments->N; ++i) {
-    if (!arguments->valid[i]) continue;
-    const NearestRecord found = test_user(records, arguments->primID, rays, arguments->N, i);
-    if (!found.found) continue;
-    RTCRayN_tfar(rays, arguments->N, i) = found.t;
-    RTCHitN_geomID(hits, arguments->N, i) = arguments->geomID;
-    RTCHitN_primID(hits, arguments->N, i) = arguments->primID;
-  }
-}
-
-void user_occluded(const RTCOccludedFunctionNArguments* arguments) {
-  const auto& records = *static_cast<const std::vector<Record>*>(arguments->geometryUserPtr);
-  for (unsigned i = 0; i < arguments->N; ++i)
-    if (arguments->valid[i] &&
-        test_user(records, arguments->primID, arguments->ray, arguments->N, i).found)
-      RTCRayN_tfar(arguments->ray, arguments->N, i) = -std::numeric_limits<float>::infinity();
-}
-
-void add_user(RTCDevice device, RTCScene scene, std::vector<Record>& records) {
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(records.size()));
-  rtcSetGeometryUserData(geometry, &records);
-  rtcSetGeometryBoundsFunction(
-      geometry, [](const RTCBoundsFunctionArguments* arguments) { user_bounds(arguments); },
-      nullptr);
-  rtcSetGeometryIntersectFunction(geometry, user_intersect);
-  rtcSetGeometryOccludedFunction(geometry, user_occluded);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene, geometry);
-  rtcReleaseGeometry(geometry);
-}
-
 RTCIntersectContext context_for(Coherence coherence) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -126,33 +74,147 @@ RTCIntersectContext context_for(Coherence coherence) {
   return context;
 }
 
-/// Packets of `width` neighbouring rays through one of Embree's packet functions.
-template <int width, typename Packet, typename Occluded>
-void occluded_packets(const LightSamples& rays, std::span<const std::uint32_t> active,
+// Where rays come from: `fill` writes neighbours to a packet, `ray` one to a stream.
+
+struct FromOne {
+  const LightSamples& rays;
+  template <class Packet>
+  void fill(std::uint32_t first, int width, Packet& packet) const {
+    for (int i = 0; i < width; ++i) packet.org_x[i] = rays.origin.x;
+    for (int i = 0; i < width; ++i) packet.org_y[i] = rays.origin.y;
+    for (int i = 0; i < width; ++i) packet.org_z[i] = rays.origin.z;
+    std::copy_n(&rays.x[first], width, packet.dir_x);
+    std::copy_n(&rays.y[first], width, packet.dir_y);
+    std::copy_n(&rays.z[first], width, packet.dir_z);
+  }
+  RTCRay ray(std::uint32_t i) const {
+    return {rays.origin.x,
+            rays.origin.y,
+            rays.origin.z,
+            0,
+            rays.x[i],
+            rays.y[i],
+            rays.z[i],
+            0,
+            rays.t_max,
+            ~0u,
+            i,
+            0};
+  }
+};
+
+struct FromMany {
+  const MixedRays& rays;
+  template <class Packet>
+  void fill(std::uint32_t first, int width, Packet& packet) const {
+    std::copy_n(&rays.origin[0][first], width, packet.org_x);
+    std::copy_n(&rays.origin[1][first], width, packet.org_y);
+    std::copy_n(&rays.origin[2][first], width, packet.org_z);
+    std::copy_n(&rays.direction[0][first], width, packet.dir_x);
+    std::copy_n(&rays.direction[1][first], width, packet.dir_y);
+    std::copy_n(&rays.direction[2][first], width, packet.dir_z);
+  }
+  RTCRay ray(std::uint32_t i) const {
+    return {rays.origin[0][i],
+            rays.origin[1][i],
+            rays.origin[2][i],
+            0,
+            rays.direction[0][i],
+            rays.direction[1][i],
+            rays.direction[2][i],
+            0,
+            rays.t_max,
+            ~0u,
+            i,
+            0};
+  }
+};
+
+/// Packets of `width` neighbouring rays through one of Embree's packet functions; those without an
+/// active ray are left out.
+template <int width, typename Packet, typename Rays, typename Occluded>
+void occluded_packets(const Rays& from, std::span<const std::uint32_t> active,
                       std::span<std::uint32_t> blocked, Occluded&& occluded) {
-  std::fill(blocked.begin(), blocked.end(), 0u);
-  for (std::uint32_t first = 0; first < rays.count; first += width) {
-    alignas(64) int valid[width];
-    alignas(64) Packet packet;
-    const std::uint32_t bits = active[first / 32] >> first % 32;
-    for (int i = 0; i < width; ++i) {
-      valid[i] = first + i < rays.count && (bits >> i & 1) ? -1 : 0;
-      packet.org_x[i] = rays.origin.x, packet.org_y[i] = rays.origin.y,
-      packet.org_z[i] = rays.origin.z;
-      packet.dir_x[i] = rays.x[first + i], packet.dir_y[i] = rays.y[first + i],
-      packet.dir_z[i] = rays.z[first + i];
-      packet.tnear[i] = 0, packet.tfar[i] = rays.t_max;
-      packet.time[i] = 0, packet.mask[i] = ~0u, packet.id[i] = 0, packet.flags[i] = 0;
-    }
+  alignas(64) int valid[width];
+  alignas(64) Packet packet;
+  for (int i = 0; i < width; ++i) {
+    packet.tnear[i] = 0, packet.time[i] = 0;
+    packet.mask[i] = ~0u, packet.id[i] = 0, packet.flags[i] = 0;
+  }
+  constexpr std::uint32_t all = (1u << width) - 1;
+  for (std::uint32_t first = 0; first < from.rays.count; first += width) {
+    const std::uint32_t bits = active[first / 32] >> first % 32 & all;
+    if (bits == 0) continue;
+    for (int i = 0; i < width; ++i) valid[i] = -static_cast<int>(bits >> i & 1);
+    for (int i = 0; i < width; ++i) packet.tfar[i] = from.rays.t_max;
+    from.fill(first, width, packet);
     occluded(valid, &packet);
-    for (int i = 0; i < width; ++i)
-      if (valid[i] && packet.tfar[i] < 0) blocked[first / 32] |= 1u << (first % 32 + i);
+    std::uint32_t hit = 0;
+    for (int i = 0; i < width; ++i) hit |= std::uint32_t{packet.tfar[i] < 0} << i;
+    blocked[first / 32] |= (hit & bits) << first % 32;
+  }
+}
+
+template <typename Rays>
+void occluded_stream(const Rays& from, std::span<const std::uint32_t> active,
+                     std::span<std::uint32_t> blocked, RTCScene scene,
+                     RTCIntersectContext& context) {
+  thread_local std::vector<RTCRay> stream;
+  stream.clear();
+  for (std::uint32_t i = 0; i < from.rays.count; ++i)
+    if (active[i / 32] >> i % 32 & 1) stream.push_back(from.ray(i));
+  rtcOccluded1M(scene, &context, stream.data(), static_cast<unsigned>(stream.size()),
+                sizeof(RTCRay));
+  for (const RTCRay& ray : stream)
+    if (ray.tfar < 0) blocked[ray.id / 32] |= 1u << ray.id % 32;
+}
+
+template <typename Rays>
+void occluded_by_embree(EmbreeVariant variant, const Rays& from,
+                        std::span<const std::uint32_t> active, std::span<std::uint32_t> blocked,
+                        RTCScene scene) {
+  RTCIntersectContext context = context_for(variant.coherence);
+  std::fill(blocked.begin(), blocked.end(), 0u);
+  switch (variant.call) {
+    case EmbreeCall::packets_of_8:
+      return occluded_packets<8, RTCRay8>(from, active, blocked, [&](const int* valid, RTCRay8* p) {
+        rtcOccluded8(valid, scene, &context, p);
+      });
+    case EmbreeCall::packets_of_16:
+      return occluded_packets<16, RTCRay16>(
+          from, active, blocked,
+          [&](const int* valid, RTCRay16* p) { rtcOccluded16(valid, scene, &context, p); });
+    case EmbreeCall::stream: return occluded_stream(from, active, blocked, scene, context);
   }
 }
 
 }  // namespace
 
-EmbreeBaseline::EmbreeBaseline(const ShapeSet& shapes) : data_(std::make_unique<Data>()) {
+std::string name_of(EmbreeVariant variant) {
+  std::string name;
+  switch (variant.call) {
+    case EmbreeCall::packets_of_8: name = "rtcOccluded8"; break;
+    case EmbreeCall::packets_of_16: name = "rtcOccluded16"; break;
+    case EmbreeCall::stream: name = "rtcOccluded1M"; break;
+  }
+  return variant.coherence == Coherence::coherent ? name + ", coherent" : name;
+}
+
+std::string embree_version() { return RTC_VERSION_STRING; }
+
+void MixedRays::resize(std::uint32_t rays) {
+  count = rays;
+  const std::size_t padded = (std::size_t{rays} + 15) / 16 * 16;
+  for (int axis = 0; axis < 3; ++axis) origin[axis].resize(padded), direction[axis].resize(padded);
+}
+
+void MixedRays::set(std::uint32_t i, Vec3f from, Vec3f along) {
+  for (int axis = 0; axis < 3; ++axis)
+    origin[axis][i] = from[axis], direction[axis][i] = along[axis];
+}
+
+EmbreeBaseline::EmbreeBaseline(const ShapeSet& shapes, EmbreeSpheres spheres)
+    : data_(std::make_unique<Data>()) {
   data_->device = rtcNewDevice(nullptr);
   if (!data_->device) throw std::runtime_error("Embree gives no device");
   rtcSetDeviceMemoryMonitorFunction(data_->device, count_memory, &data_->bytes);
@@ -162,7 +224,7 @@ EmbreeBaseline::EmbreeBaseline(const ShapeSet& shapes) : data_(std::make_unique<
     data_->kind.push_back(kind);
     data_->object.push_back(object);
   };
-  if (!shapes.spheres.empty()) {
+  if (spheres == EmbreeSpheres::native && !shapes.spheres.empty()) {
     add_spheres(data_->device, data_->scene, shapes.spheres);
     note(ShapeKind::sphere, 0);
   }
@@ -170,12 +232,15 @@ EmbreeBaseline::EmbreeBaseline(const ShapeSet& shapes) : data_(std::make_unique<
     add_mesh(data_->device, data_->scene, shapes.meshes[m]);
     note(ShapeKind::triangle, m);
   }
-  for (std::uint32_t i = 0; i < shapes.cones.size(); ++i)
-    data_->user_records.push_back(make_record(shapes, {ShapeKind::cone, i}, i));
-  for (std::uint32_t i = 0; i < shapes.rings.size(); ++i)
-    data_->user_records.push_back(make_record(shapes, {ShapeKind::ring, i}, i));
+  const auto add_records = [&](ShapeKind kind, std::size_t count) {
+    for (std::uint32_t i = 0; i < count; ++i)
+      data_->user_records.push_back(make_record(shapes, {kind, i}, i));
+  };
+  if (spheres == EmbreeSpheres::user) add_records(ShapeKind::sphere, shapes.spheres.size());
+  add_records(ShapeKind::cone, shapes.cones.size());
+  add_records(ShapeKind::ring, shapes.rings.size());
   if (!data_->user_records.empty()) {
-    add_user(data_->device, data_->scene, data_->user_records);
+    attach_records(data_->device, data_->scene, data_->user_records);
     note(ShapeKind::cone, 0);
   }
   rtcCommitScene(data_->scene);
@@ -211,41 +276,32 @@ std::optional<Hit> EmbreeBaseline::closest(const Ray& ray) const {
   return Hit{one.ray.tfar, {record.kind, record.id, 0, 0}};
 }
 
-void EmbreeBaseline::occluded8(const LightSamples& rays, std::span<const std::uint32_t> active,
-                               std::span<std::uint32_t> blocked, Coherence coherence) const {
-  RTCIntersectContext context = context_for(coherence);
-  occluded_packets<8, RTCRay8>(rays, active, blocked, [&](const int* valid, RTCRay8* packet) {
-    rtcOccluded8(valid, data_->scene, &context, packet);
-  });
+std::vector<EmbreeVariant> EmbreeBaseline::variants() const {
+  std::vector<EmbreeCall> calls = {EmbreeCall::packets_of_8, EmbreeCall::stream};
+  if (rtcGetDeviceProperty(data_->device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED))
+    calls.push_back(EmbreeCall::packets_of_16);
+  std::vector<EmbreeVariant> variants;
+  for (const EmbreeCall call : calls)
+    for (const Coherence coherence : {Coherence::coherent, Coherence::none})
+      variants.push_back({call, coherence});
+  return variants;
 }
 
-void EmbreeBaseline::occluded16(const LightSamples& rays, std::span<const std::uint32_t> active,
-                                std::span<std::uint32_t> blocked, Coherence coherence) const {
-  RTCIntersectContext context = context_for(coherence);
-  occluded_packets<16, RTCRay16>(rays, active, blocked, [&](const int* valid, RTCRay16* packet) {
-    rtcOccluded16(valid, data_->scene, &context, packet);
-  });
+void EmbreeBaseline::occluded(EmbreeVariant variant, const LightSamples& rays,
+                              std::span<const std::uint32_t> active,
+                              std::span<std::uint32_t> blocked) const {
+  occluded_by_embree(variant, FromOne{rays}, active, blocked, data_->scene);
 }
 
-void EmbreeBaseline::occluded_stream(const LightSamples& rays,
-                                     std::span<const std::uint32_t> active,
-                                     std::span<std::uint32_t> blocked, Coherence coherence) const {
-  RTCIntersectContext context = context_for(coherence);
-  thread_local std::vector<RTCRay> stream;
-  stream.clear();
-  for (std::uint32_t i = 0; i < rays.count; ++i)
-    if (active[i / 32] >> i % 32 & 1)
-      stream.push_back({rays.origin.x, rays.origin.y, rays.origin.z, 0, rays.x[i], rays.y[i],
-                        rays.z[i], 0, rays.t_max, ~0u, i, 0});
-  rtcOccluded1M(data_->scene, &context, stream.data(), static_cast<unsigned>(stream.size()),
-                sizeof(RTCRay));
-  std::fill(blocked.begin(), blocked.end(), 0u);
-  for (const RTCRay& ray : stream)
-    if (ray.tfar < 0) blocked[ray.id / 32] |= 1u << ray.id % 32;
+void EmbreeBaseline::occluded(EmbreeVariant variant, const MixedRays& rays,
+                              std::span<const std::uint32_t> active,
+                              std::span<std::uint32_t> blocked) const {
+  occluded_by_embree(variant, FromMany{rays}, active, blocked, data_->scene);
 }
 
 std::size_t EmbreeBaseline::memory_bytes() const {
-  return static_cast<std::size_t>(data_->bytes.load());
+  return static_cast<std::size_t>(data_->bytes.load()) +
+         data_->user_records.capacity() * sizeof(Record);
 }
 
 }  // namespace penumbra

@@ -23,14 +23,24 @@ std::vector<Pixel> z_order(Area block) {
   return pixels;
 }
 
+/// Blocks are counted row by row.
+std::uint32_t number_of(Area block, std::uint32_t width) {
+  const std::uint32_t across = (width + block_edge - 1) / block_edge;
+  return block.y_begin / block_edge * across + block.x_begin / block_edge;
+}
+
 /// Samples of a block's pixels on their way into the picture, a wave at a time.
 class BlockRenderer {
  public:
-  BlockRenderer(const TraceContext& context, const RenderOptions& options, Image& image)
+  BlockRenderer(const TraceContext& context, const RenderOptions& options, std::uint32_t block,
+                Image& image)
       : context_(context),
         options_(options),
         image_(image),
-        scratch_(options.shadow_samples, context.scene.lights.size()) {}
+        scratch_(options.shadow_samples, context.scene.lights.size()) {
+    if (options.observe) scratch_.observe = &options.observe;
+    scratch_.block = block;
+  }
 
   void add_pixel(std::size_t pixel, const std::vector<CameraRay>& rays) {
     for (const CameraRay& ray : rays) {
@@ -90,7 +100,7 @@ class BlockRenderer {
 
 TraceScratch render_block(const TraceContext& context, const RenderOptions& options,
                           const CameraRays& camera, Area block, Image& image) {
-  BlockRenderer renderer(context, options, image);
+  BlockRenderer renderer(context, options, number_of(block, options.width), image);
   std::vector<CameraRay> rays;
   for (const Pixel pixel : z_order(block)) {
     camera.of_pixel(pixel.x, pixel.y, rays);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include "penumbra/trace/names.h"
 #include "penumbra/trace/pixel.h"
 #include "penumbra/trace/ray_tree.h"
 #include "penumbra/trace/render.h"
@@ -8,34 +9,9 @@
 namespace penumbra {
 namespace {
 
-const char* name_of(ShapeKind kind) {
-  switch (kind) {
-    case ShapeKind::sphere: return "sphere";
-    case ShapeKind::cone: return "cone";
-    case ShapeKind::ring: return "ring";
-    case ShapeKind::triangle: break;
-  }
-  return "triangle";
-}
-
-const char* name_of(ShadowClass shadow_class) {
-  switch (shadow_class) {
-    case ShadowClass::lit: return "lit";
-    case ShadowClass::penumbra: return "penumbra";
-    case ShadowClass::umbra: break;
-  }
-  return "umbra";
-}
-
 template <typename N>
 std::string text(Vec3<N> v) {
   return fmt::format("({:.9g}, {:.9g}, {:.9g})", v.x, v.y, v.z);
-}
-
-/// "camera ray", "camera ray > reflected > refracted"
-std::string path_name(std::uint64_t path) {
-  if (path <= 1) return "camera ray";
-  return path_name(path / 2) + (path % 2 == 0 ? " > reflected" : " > refracted");
 }
 
 std::string describe(const RayNode& node) {

@@ -2,6 +2,13 @@
 #include "penumbra/trace/pixel.h"
 
 namespace penumbra {
+namespace {
+
+std::uint64_t pixel_key(std::uint64_t seed, std::uint32_t x, std::uint32_t y) {
+  return hash(seed, std::uint64_t(y) << 32 | x);
+}
+
+}  // namespace
 
 CameraRays::CameraRays(const Camera& camera, const RenderOptions& options)
     : frame_(frame(camera, double(options.width) / options.height)),
@@ -12,7 +19,7 @@ CameraRays::CameraRays(const Camera& camera, const RenderOptions& options)
       pattern_(options.samples_per_pixel) {}
 
 void CameraRays::of_pixel(std::uint32_t x, std::uint32_t y, std::vector<CameraRay>& rays) const {
-  const std::uint64_t pixel = hash(seed_, std::uint64_t(y) << 32 | x);
+  const std::uint64_t pixel = pixel_key(seed_, x, y);
   const std::uint32_t count = pattern_.size();
   rays.clear();
   std::vector<float> u(count, 0.5f), v(count, 0.5f);
@@ -23,6 +30,17 @@ void CameraRays::of_pixel(std::uint32_t x, std::uint32_t y, std::vector<CameraRa
     const Vec3d direction = frame_.forward + frame_.right * right - frame_.up * down;
     rays.push_back({frame_.origin + direction * near_, direction, hash(pixel, s)});
   }
+}
+
+std::optional<PixelSample> find_sample(const RenderOptions& options, std::uint64_t path,
+                                       std::uint32_t light, std::uint64_t key) {
+  for (std::uint32_t y = 0; y < options.height; ++y)
+    for (std::uint32_t x = 0; x < options.width; ++x) {
+      const std::uint64_t pixel = pixel_key(options.seed, x, y);
+      for (std::uint32_t s = 0; s < options.samples_per_pixel; ++s)
+        if (light_key(hash(hash(pixel, s), path), light) == key) return PixelSample{x, y, s};
+    }
+  return {};
 }
 
 }  // namespace penumbra

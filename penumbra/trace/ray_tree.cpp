@@ -77,6 +77,8 @@ class Trees {
                       light_key(hash(wave.rays[hits[k]].sample_key, wave.path), light)};
       visibilities(context_.shadows, light, queries, scratch_.cache.queue(wave.path, light),
                    scratch_.visibility, scratch_.counters.shadow, seen);
+      if (scratch_.observe && !queries.empty())
+        (*scratch_.observe)({scratch_.block, wave.path, light, queries, seen});
       for (std::size_t k = 0; k < points.size(); ++k) {
         const bool matters = seen[k].cosine_weighted > 0 || nodes_;
         const Color u = matters ? unshadowed(context_.scene.lights[light], points[k]) : Color{};

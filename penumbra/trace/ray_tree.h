@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -31,6 +32,8 @@ struct TraceScratch {
   OccluderCache cache;
   RenderCounters counters;
   double shadow_seconds = 0;
+  const std::function<void(const AnsweredBatch&)>* observe = nullptr;  ///< may be null
+  std::uint32_t block = 0;                                             ///< what it is told of
 };
 
 /// A ray of a wave.

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,16 @@ namespace penumbra {
 
 /// Image layers beside the colour.
 enum class Aov { light_class, visibility, depth, normal, samples };
+
+/// Questions that were asked together, and their answers: those of one wave of a block (all rays at
+/// the same node of their trees) about one light.
+struct AnsweredBatch {
+  std::uint32_t block;  ///< of `block_edge` squared pixels, numbered row by row
+  std::uint64_t path;   ///< of the ray tree, see RayNode
+  std::uint32_t light;
+  std::span<const ShadowQuery> queries;
+  std::span<const Visibility> seen;
+};
 
 struct RenderOptions {
   std::uint32_t shadow_samples = 32;  ///< d, >= 1
@@ -32,6 +43,9 @@ struct RenderOptions {
   std::vector<Aov> aovs;
   /// Called with the finished share in [0, 1], from any thread, one call at a time.
   std::function<void(double)> progress;
+  /// Called with every batch that is not empty, from any thread, several calls at a time. Those of
+  /// one block come in order, from one thread.
+  std::function<void(const AnsweredBatch&)> observe;
 };
 
 /// The occluder cache lives in one block of this edge, so that counters depend on no tile or

@@ -193,36 +193,5 @@ TEST(Kernel, AgreesWithEmbreeOnMeshesAndSpheres) {
   EXPECT_LE(different, 20);  // grazing rays
 }
 
-TEST(Kernel, AgreesWithEmbreePacketsAboutABlockedLight) {
-  ShapeSet shapes;
-  shapes.meshes.push_back(ball_mesh(30));
-  const Kernel kernel(shapes, {});
-  const EmbreeBaseline embree(shapes);
-  Random random(5);
-  std::uint64_t ours = 0, different = 0;
-  for (int i = 0; i < 5'000; ++i) {
-    LightSamples rays;
-    rays.resize(40);
-    rays.origin = normalize(random.in_cube()) * 3.0f;
-    for (std::size_t k = 0; k < rays.x.size(); ++k) {
-      const Vec3f d = random.in_cube() * 1.2f - rays.origin;
-      rays.x[k] = 2 * d.x, rays.y[k] = 2 * d.y, rays.z[k] = 2 * d.z;
-    }
-    const std::vector<std::uint32_t> active = all_active(rays);
-    std::vector<std::uint32_t> a(2), b(2);
-    kernel.occluded(rays, active, a);
-    for (int variant = 0; variant < 3; ++variant) {
-      if (variant == 0) embree.occluded8(rays, active, b, Coherence::coherent);
-      if (variant == 1) embree.occluded16(rays, active, b, Coherence::none);
-      if (variant == 2) embree.occluded_stream(rays, active, b, Coherence::coherent);
-      for (int w = 0; w < 2; ++w)
-        different += static_cast<std::uint64_t>(__builtin_popcount(a[w] ^ b[w]));
-    }
-    ours += static_cast<std::uint64_t>(__builtin_popcount(a[0]) + __builtin_popcount(a[1]));
-  }
-  EXPECT_GT(ours, 10'000u);
-  EXPECT_LE(different, 20u);
-}
-
 }  // namespace
 }  // namespace penumbra

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "scene_options.h"
+
+#include <CLI/App.hpp>
+
+#include <limits>
+
+#include "options.h"
+#include "penumbra/scene_io/numbers.h"
+#include "usage_error.h"
+
+namespace penumbra {
+
+const char* const lights_help =
+    "Lights (numbers in scene units, each with an optional r g b at the end):\n"
+    "  point x y z                              rect cx cy cz ux uy uz vx vy vz (half edges)\n"
+    "  sphere cx cy cz r                        disk cx cy cz nx ny nz r (n: its normal)\n"
+    "  line ax ay az bx by bz (from a to b)     polygon n x y z ... (n corners, convex, in order)\n"
+    "  mesh n x y z ... (convex hull of n)      sun dx dy dz degrees (towards it; diameter)\n\n";
+
+void add_scene_options(CLI::App& command, SceneWishes& w) {
+  using Text = const std::string&;
+  const auto add = [&command](const char* name, const char* value, const char* help, auto parse) {
+    add_parsed(command, name, value, help, parse)->group("Scene");
+  };
+  add("--from", "x,y,z", "Camera position",
+      [&w](Text text) { w.complete.from = parse_vector(text); });
+  add("--at", "x,y,z", "What it looks at", [&w](Text text) { w.complete.at = parse_vector(text); });
+  add("--up", "x,y,z", "Its upward direction",
+      [&w](Text text) { w.complete.up = parse_vector(text); });
+  add("--fov", "DEG", "Vertical field of view",
+      [&w](Text text) { w.complete.fov_deg = parse_number(text, 0.001, 179.999); });
+  add("--ground", "auto|none|HEIGHT", "A floor (default auto: under bare models)",
+      [&w](Text text) { w.complete.ground = parse_ground(text); });
+  add("--background", "r,g,b", "Colour where nothing is hit",
+      [&w](Text text) { w.complete.background = parse_color(text); });
+  command
+      .add_option("--light", w.light_words,
+                  "Add a light, see below; the first one replaces the file's")
+      ->type_name("SPEC")
+      ->group("Scene");
+  command.add_flag("--clear-glass", w.complete.clear_glass, "Transparent things cast no shadow")
+      ->group("Shadows");
+  add_read_options(command, w.read);
+}
+
+void add_ray_options(CLI::App& command, RenderOptions& o) {
+  using Text = const std::string&;
+  add_parsed(command, "--spp", "N", "Samples a pixel, for smooth edges (default 1)",
+             [&o](Text text) {
+               o.samples_per_pixel = static_cast<std::uint32_t>(parse_count(text, 1, 65536));
+             });
+  add_parsed(command, "--depth", "N", "Longest path of mirrors and glass (default 5)",
+             [&o](Text text) { o.depth = static_cast<std::uint32_t>(parse_count(text, 1, 64)); });
+  add_parsed(command, "--seed", "N", "Of the random numbers (default 0)", [&o](Text text) {
+    o.seed = parse_count(text, 0, std::numeric_limits<std::uint64_t>::max());
+  })->group("Shadows");
+}
+
+void take_back_scenes(SceneWishes& wishes, std::vector<std::string>& scenes) {
+  std::vector<std::string>& words = wishes.light_words;
+  if (!scenes.empty()) return;
+  const auto may_be_scene = [&](const std::string& word) {
+    const bool is_quoted_light = word.find(' ') != word.npos && !scenes.empty();
+    return !parse_double(word) && !is_quoted_light;
+  };
+  while (words.size() > 1 && may_be_scene(words.back())) {
+    scenes.insert(scenes.begin(), words.back());
+    words.pop_back();
+  }
+}
+
+void finish(SceneWishes& w) {
+  w.complete.lights = parse_lights(w.light_words);
+  if (w.complete.from && w.complete.at && *w.complete.from == *w.complete.at)
+    throw UsageError("--from and --at are the same point");
+  if (w.complete.up && *w.complete.up == Vec3d{}) throw UsageError("--up 0,0,0 is no direction");
+}
+
+}  // namespace penumbra

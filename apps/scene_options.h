@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Options of commands that draw a scene: camera, lights, ground, what readers ask, rays.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "penumbra/scene/complete_scene.h"
+#include "penumbra/scene_io/read_scene.h"
+#include "penumbra/trace/render.h"
+
+namespace CLI {
+class App;  // the library takes long to compile
+}
+
+namespace penumbra {
+
+/// What the user wants of a scene.
+struct SceneWishes {
+  ReadOptions read;
+  SceneOptions complete;
+  std::vector<std::string> light_words;  ///< after all `--light` options
+};
+
+/// `wishes` must live until the command line is parsed.
+void add_scene_options(CLI::App& command, SceneWishes& wishes);
+
+/// Adds `--spp`, `--depth` and `--seed`.
+void add_ray_options(CLI::App& command, RenderOptions& options);
+
+/// How lights are written, for a command's footer.
+extern const char* const lights_help;
+
+/// The words of --light have no end of their own: takes back the scenes that stand behind them,
+/// which are missing when `scenes` is empty.
+void take_back_scenes(SceneWishes& wishes, std::vector<std::string>& scenes);
+
+/// After the command line is parsed: fills in the lights and checks what no single option can.
+/// Throws UsageError.
+void finish(SceneWishes& wishes);
+
+}  // namespace penumbra
