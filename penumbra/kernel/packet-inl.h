@@ -16,6 +16,7 @@
 #include <cstdint>
 
 #include "penumbra/geometry/light_sampling.h"
+#include "penumbra/kernel/edge_planes-inl.h"
 #include "penumbra/kernel/four_triangles-inl.h"
 #include "penumbra/kernel/intersect-inl.h"
 #include "penumbra/kernel/shaft-inl.h"
@@ -101,9 +102,25 @@ HWY_INLINE std::uint32_t each_group(const Packet& packet, std::uint32_t wanted, 
   return met;
 }
 
+/// The wanted rays that may meet a triangle.
+HWY_INLINE std::uint32_t near_triangle(const Record& triangle, const Packet& packet,
+                                       std::uint32_t wanted) {
+  const EdgePlanes planes = edge_planes(triangle, packet.rays.origin);
+  return each_group(packet, wanted, [&](std::uint32_t g, std::uint32_t) {
+    const std::uint32_t i = packet.first + g * lane_count;
+    const auto passes =
+        passes_by(lanes_tag, planes, hn::LoadU(lanes_tag, &packet.rays.x[i]),
+                  hn::LoadU(lanes_tag, &packet.rays.y[i]), hn::LoadU(lanes_tag, &packet.rays.z[i]));
+    return ~bits_of(passes);
+  });
+}
+
 /// The wanted rays that are blocked by the record.
 HWY_INLINE std::uint32_t blocked_by(const Record& record, const Packet& packet,
                                     std::uint32_t wanted) {
+  if (record.kind == ShapeKind::triangle && (wanted & (wanted - 1)) != 0)
+    wanted = near_triangle(record, packet, wanted);
+  if (wanted == 0) return 0;
   if ((wanted & (wanted - 1)) == 0) {  // a vector of sixteen costs more than one lane
     const hn::CappedTag<float, 1> d;
     const auto ray = packet.lanes(d, static_cast<std::uint32_t>(__builtin_ctz(wanted)));
