@@ -105,8 +105,7 @@ HWY_INLINE Overlap overlap(const Shaft& shaft, const WideNode& node, float* near
   Overlap result;
   for (std::size_t first = 0; first < WideNode::width; first += hn::Lanes(d)) {
     using V = hn::Vec<decltype(d)>;
-    const auto [lo, hi] =
-        padded_boxes(d, node, first, shaft.least_origin, shaft.most_origin);
+    const auto [lo, hi] = padded_boxes(d, node, first, shaft.least_origin, shaft.most_origin);
     V near = hn::Zero(d), far = hn::Set(d, shaft.t_max);
     for (int axis = 0; axis < 3; ++axis) {
       const V at_lo = hn::Mul(lo[axis], hn::Set(d, shaft.inverse_most[axis]));
