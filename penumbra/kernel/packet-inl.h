@@ -167,7 +167,8 @@ HWY_INLINE std::uint32_t through_boxes(const WideNode& node, const Packet& packe
   using V = hn::Vec<decltype(d)>;
   std::uint32_t met = 0;
   for (std::size_t first = 0; first < WideNode::width; first += hn::Lanes(d)) {
-    const auto boxes = padded_boxes(d, node, first, packet.rays.origin, packet.rays.origin);
+    const auto boxes =
+        padded_boxes(d, node, first, packet.rays.origin, packet.rays.origin, box_pad);
     auto rays = hn::Zero(words);
     each_ray(wanted, [&](std::uint32_t i) {
       V near = hn::Zero(d), far = hn::Set(d, packet.rays.t_max);

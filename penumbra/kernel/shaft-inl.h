@@ -77,7 +77,8 @@ struct Overlap {
   std::uint32_t wide = 0;  // there the shaft is wider than half the child's box
 };
 
-/// Boxes of a node in lanes, padded, as seen from the origins in [least, most].
+/// Boxes of a node in lanes as seen from the origins in [least, most], padded by a share of their
+/// reach.
 template <class V>
 struct BoxLanes {
   V lo[3], hi[3];
@@ -85,7 +86,7 @@ struct BoxLanes {
 
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE BoxLanes<V> padded_boxes(D d, const WideNode& node, std::size_t first, Vec3f least,
-                                    Vec3f most) {
+                                    Vec3f most, float share) {
   BoxLanes<V> boxes;
   V reach = hn::Zero(d);
   for (int axis = 0; axis < 3; ++axis) {
@@ -93,7 +94,7 @@ HWY_INLINE BoxLanes<V> padded_boxes(D d, const WideNode& node, std::size_t first
     boxes.hi[axis] = hn::Sub(hn::Load(d, node.hi[axis] + first), hn::Set(d, least[axis]));
     reach = hn::Max(reach, hn::Max(hn::Abs(boxes.lo[axis]), hn::Abs(boxes.hi[axis])));
   }
-  const V pad = hn::Mul(hn::Set(d, box_pad), reach);
+  const V pad = hn::Mul(hn::Set(d, share), reach);
   for (int axis = 0; axis < 3; ++axis)
     boxes.lo[axis] = hn::Sub(boxes.lo[axis], pad), boxes.hi[axis] = hn::Add(boxes.hi[axis], pad);
   return boxes;
@@ -105,7 +106,8 @@ HWY_INLINE Overlap overlap(const Shaft& shaft, const WideNode& node, float* near
   Overlap result;
   for (std::size_t first = 0; first < WideNode::width; first += hn::Lanes(d)) {
     using V = hn::Vec<decltype(d)>;
-    const auto [lo, hi] = padded_boxes(d, node, first, shaft.least_origin, shaft.most_origin);
+    const auto [lo, hi] =
+        padded_boxes(d, node, first, shaft.least_origin, shaft.most_origin, box_pad);
     V near = hn::Zero(d), far = hn::Set(d, shaft.t_max);
     for (int axis = 0; axis < 3; ++axis) {
       const V at_lo = hn::Mul(lo[axis], hn::Set(d, shaft.inverse_most[axis]));
