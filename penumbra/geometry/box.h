@@ -2,7 +2,9 @@
 // Axis-aligned boxes and the conversions to float that keep a bound a bound.
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "penumbra/geometry/vec.h"
@@ -12,7 +14,10 @@ namespace penumbra {
 /// Smallest float not below x (x finite and within float's range).
 inline float round_up(double x) {
   const float f = static_cast<float>(x);
-  return static_cast<double>(f) < x ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
+  if (!(static_cast<double>(f) < x)) return f;
+  if (f == 0) return std::numeric_limits<float>::denorm_min();
+  const auto bits = std::bit_cast<std::int32_t>(f);  // the next one is the next number, by size
+  return std::bit_cast<float>(bits < 0 ? bits - 1 : bits + 1);
 }
 
 /// Largest float not above x.

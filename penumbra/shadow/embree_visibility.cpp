@@ -13,7 +13,7 @@ namespace penumbra {
 constexpr std::size_t points_together = 16;
 
 EmbreeScratch::EmbreeScratch(std::uint32_t shadow_samples)
-    : points(points_together, VisibilityScratch(shadow_samples)) {}
+    : points(points_together, SampleScratch(shadow_samples)) {}
 
 namespace {
 
@@ -37,7 +37,7 @@ void count(const Visibility& seen, std::uint32_t rays, ShadowCounters& counters)
 }
 
 /// The answer of a point whose `blocked` is known.
-Visibility conclude(const VisibilityScratch& point, std::uint32_t rays, ShadowCounters& counters) {
+Visibility conclude(const SampleScratch& point, std::uint32_t rays, ShadowCounters& counters) {
   if (rays == 0) return {0, 0, ShadowClass::umbra};
   Visibility seen = sum_up(point);
   const bool is_blocked = std::any_of(point.blocked.begin(), point.blocked.end(),
@@ -64,7 +64,7 @@ class EmbreeAnswers {
 
   /// Packets of one point's rays.
   Visibility alone(const ShadowQuery& query) {
-    VisibilityScratch& point = scratch_.points[0];
+    SampleScratch& point = scratch_.points[0];
     const std::uint32_t rays = take_samples(scene_, light_, query.receiver, query.key, point);
     if (rays > 0) embree_.occluded(variant_, point.samples, point.active, point.blocked);
     return conclude(point, rays, counters_);
@@ -74,7 +74,7 @@ class EmbreeAnswers {
   void together(std::span<const ShadowQuery> queries, std::span<Visibility> seen) {
     std::uint32_t rays[points_together] = {}, first = 0;
     for (std::size_t i = 0; i < queries.size(); ++i) {
-      VisibilityScratch& point = scratch_.points[i];
+      SampleScratch& point = scratch_.points[i];
       rays[i] = take_samples(scene_, light_, queries[i].receiver, queries[i].key, point);
       const std::uint32_t d = point.samples.count;
       if (i == 0) begin_rays(static_cast<std::uint32_t>(queries.size()) * d, point.samples.t_max);
@@ -87,7 +87,7 @@ class EmbreeAnswers {
     embree_.occluded(variant_, scratch_.rays, scratch_.active, scratch_.blocked);
     first = 0;
     for (std::size_t i = 0; i < queries.size(); ++i) {
-      VisibilityScratch& point = scratch_.points[i];
+      SampleScratch& point = scratch_.points[i];
       std::fill(point.blocked.begin(), point.blocked.end(), 0u);
       for (std::uint32_t k = 0; k < point.samples.count; ++k, ++first)
         point.blocked[k / 32] |= (scratch_.blocked[first / 32] >> first % 32 & 1) << k % 32;

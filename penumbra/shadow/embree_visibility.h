@@ -15,7 +15,7 @@ namespace penumbra {
 /// What a thread reuses between queries.
 struct EmbreeScratch {
   explicit EmbreeScratch(std::uint32_t shadow_samples);
-  std::vector<VisibilityScratch> points;  ///< that share packets
+  std::vector<SampleScratch> points;  ///< that share packets
   MixedRays rays;
   std::vector<std::uint32_t> active, blocked;
 };

@@ -12,7 +12,10 @@ namespace {
 
 /// Candidates that are worth a list, and so few that receivers sift them rather than splitting
 /// their group.
-constexpr std::size_t most_of_group = 512, most_of_one = 128, few = 32;
+constexpr std::size_t most_of_one = 64, few = 32;
+constexpr std::size_t most_of(std::size_t receivers) {
+  return receivers > 16 ? 512 : receivers > 4 ? 192 : 96;
+}
 
 /// One tile; a class because all steps share these references.
 class Tile {
@@ -68,7 +71,7 @@ class Tile {
     if (count == 1) return answer_one(first, parent);
     const ReceiverGroup receivers = group(first, count);
     const SeenLight sight = seen_by_all(form_, receivers);
-    if (!parent && gather(receivers, sight, most_of_group)) parent = &gathered();
+    if (!parent && gather(receivers, sight, most_of(count))) parent = &gathered();
     CandidateList* list = nullptr;
     if (parent) {
       list = &scratch_.list[level];
@@ -214,16 +217,25 @@ bool Tile::is_outline_hidden(const SeenLight& sight) {
   return blocked[0] == active[0];
 }
 
-/// Whether what stands before the light's centre goes on to its outline.
+/// Whether what stands before the light's centre goes on to its outline: the nearest sheet, or the
+/// last.
 bool Tile::is_behind_sheet(const SeenLight& sight, std::size_t receivers) {
-  if (scene_.sheet.is_empty() || !is_outline_hidden(sight)) return false;
+  if (scene_.sheet.is_empty()) return false;
+  const Kernel& kernel = *scene_.kernel;
   Ray ray{sight.p, sight.way};
   ray.t_max = 1;
-  const std::uint32_t start = scene_.kernel->closest_record(ray);
-  return start != no_record &&
-         sheet_covers(scene_.sheet, scene_.kernel->records(), sight, start,
-                      static_cast<std::uint32_t>(sheet_a_receiver * receivers), scratch_.sheet,
-                      counters_.set_tests);
+  const std::uint32_t nearest = kernel.closest_record(ray);
+  if (nearest == no_record || kernel.records()[nearest].kind != ShapeKind::triangle ||
+      !is_outline_hidden(sight))
+    return false;
+  const auto most = static_cast<std::uint32_t>(sheet_a_receiver * receivers);
+  const auto covers = [&](std::uint32_t start) {
+    return sheet_covers(scene_.sheet, kernel.records(), sight, start, most, scratch_.sheet,
+                        counters_.set_tests);
+  };
+  if (covers(nearest)) return true;
+  const std::uint32_t last = kernel.closest_record({sight.p + sight.way, -sight.way, 0, 1});
+  return last != no_record && last != nearest && covers(last);
 }
 
 }  // namespace

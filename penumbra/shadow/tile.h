@@ -20,6 +20,11 @@ namespace penumbra {
 
 /// Memory that is reused between tiles: 0.7 MB, of which most is never touched.
 struct TileScratch {
+  TileScratch() = default;
+  /// What it holds is of no use to another: a copy begins anew.
+  TileScratch(const TileScratch&) : TileScratch() {}
+  TileScratch& operator=(const TileScratch&) { return *this; }
+
   static constexpr std::size_t levels = 4;
   ReceiverRows rows;
   std::array<std::uint32_t, ReceiverRows::most> query;  ///< of each row
