@@ -101,7 +101,7 @@ void add_all(const std::string& scene, float radius_percent, std::uint32_t d) {
     occluded(name_of(variant), [=](const Workload& w, const LightSamples& r, Words a, Out b) {
       w.embree.occluded(variant, r, a, b);
     });
-  if (radius_percent > 5 || d > 32) return;
+  if (radius_percent > 1 || d > 32) return;
   benchmark::RegisterBenchmark(("closest/" + scene).c_str(), [=](benchmark::State& state) {
     run_closest(state, *work, [&](const Ray& ray) { return work->kernel.closest(ray); });
   })->Unit(benchmark::kMillisecond);
@@ -115,7 +115,7 @@ void add_all(const std::string& scene, float radius_percent, std::uint32_t d) {
 
 int main(int argc, char** argv) {
   for (const char* scene : {"balls:4", "molecule", "bust"})
-    for (float percent : {5.0f, 15.0f, 50.0f}) penumbra::add_all(scene, percent, 32);
+    for (float percent : {1.0f, 5.0f, 15.0f, 50.0f}) penumbra::add_all(scene, percent, 32);
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -83,7 +83,7 @@ class Flattener {
 
 }  // namespace
 
-BoxTree build_box_tree(std::span<const Box> boxes) {
+BoxTree build_box_tree(std::span<const Box> boxes, std::uint32_t tested_together) {
   BoxTree tree;
   if (boxes.empty()) return tree;
   if (boxes.size() >= 1u << 27) throw std::length_error("more than 2^27 primitives");
@@ -99,6 +99,7 @@ BoxTree build_box_tree(std::span<const Box> boxes) {
   arguments.buildQuality = RTC_BUILD_QUALITY_HIGH;
   arguments.maxBranchingFactor = WideNode::width;
   arguments.maxDepth = most_levels;
+  arguments.sahBlockSize = tested_together;
   arguments.minLeafSize = 1;
   arguments.maxLeafSize = 8;
   arguments.traversalCost = 1;
@@ -135,7 +136,11 @@ WideTree build_wide_tree(const std::vector<Record>& records) {
   std::vector<Box> boxes;
   boxes.reserve(records.size());
   for (const Record& record : records) boxes.push_back(bounds(record));
-  BoxTree boxed = build_box_tree(boxes);
+  const auto triangles = std::count_if(records.begin(), records.end(), [](const Record& record) {
+    return record.kind == ShapeKind::triangle;
+  });
+  const bool is_mesh = 2 * static_cast<std::size_t>(triangles) > records.size();
+  BoxTree boxed = build_box_tree(boxes, is_mesh ? 4 : 1);
   WideTree tree{std::move(boxed.nodes), {}};
   tree.records.reserve(records.size());
   for (const std::uint32_t i : boxed.order) tree.records.push_back(records[i]);

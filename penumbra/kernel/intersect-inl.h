@@ -116,7 +116,8 @@ HWY_INLINE hn::Mask<D> meets(D d, const Record& record, Vec3f origin, const RayL
                              V t_max, hn::Mask<D> wanted) {
   auto met = hn::FirstN(d, 0);
   intersect(d, record, origin, ray, [&](V t, hn::Mask<D> hit) {
-    hit = hn::And(hn::And(hit, wanted), hn::And(hn::Gt(t, hn::Zero(d)), hn::Lt(t, t_max)));
+    hit = hn::And(hn::And(hn::AndNot(met, hit), wanted),
+                  hn::And(hn::Gt(t, hn::Zero(d)), hn::Lt(t, t_max)));
     if (!hn::AllFalse(d, hit)) met = hn::Or(met, confirm(d, record, origin, ray, t, hit));
   });
   return met;

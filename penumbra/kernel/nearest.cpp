@@ -10,14 +10,36 @@
 //
 #include <hwy/highway.h>
 
+#include "penumbra/kernel/four_triangles-inl.h"
 #include "penumbra/kernel/search-inl.h"
 #include "penumbra/kernel/shaft-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace penumbra::HWY_NAMESPACE {
 
+using One = hn::CappedTag<float, 1>;
+
+/// The records of a leaf; those that the ray passes by cannot be hit.
+HWY_INLINE void search_leaf(const Record* records, std::uint32_t count, Vec3f origin,
+                            const RayLanes<One>& ray, Search& search) {
+  const Shear shear{hn::GetLane(ray.shear_x), hn::GetLane(ray.shear_y),
+                    static_cast<int>(hn::GetLane(ray.axis))};
+  std::uint8_t passed[8] = {};
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (i % 4 == 0) {
+      passed[0] = 0;
+      if (records[i].kind == ShapeKind::triangle) {
+        const auto at = [&](std::uint32_t k) { return records + std::min(k, count - 1); };
+        const Record* const four[] = {at(i), at(i + 1), at(i + 2), at(i + 3)};
+        hn::StoreMaskBits(FourTriangles::D(), FourTriangles(four, origin).passed_by(shear), passed);
+      }
+    }
+    if (!(passed[0] >> i % 4 & 1)) search_record(One(), records[i], origin, ray, search);
+  }
+}
+
 NearestRecord NearestWide(const WideTree& tree, const Ray& ray) {
-  const hn::CappedTag<float, 1> d;
+  const One d;
   const auto lanes = make_ray_lanes(d, hn::Set(d, ray.direction.x), hn::Set(d, ray.direction.y),
                                     hn::Set(d, ray.direction.z));
   const Shaft shaft = make_shaft(ray.origin, ray.direction, ray.t_max);
@@ -33,8 +55,7 @@ NearestRecord NearestWide(const WideTree& tree, const Ray& ray) {
     const Entry entry = stack[--top];
     if (search.nearest.found && entry.near > search.nearest.t) continue;
     if (entry.ref.is_leaf()) {
-      for (std::uint32_t i = 0; i < entry.ref.count(); ++i)
-        search_record(d, tree.records[entry.ref.first() + i], ray.origin, lanes, search);
+      search_leaf(&tree.records[entry.ref.first()], entry.ref.count(), ray.origin, lanes, search);
       search.nearest.tests += entry.ref.count();
       continue;
     }

@@ -81,24 +81,41 @@ struct Overlap {
   std::uint32_t wide = 0;  // there the shaft is wider than half the child's box
 };
 
+/// Boxes of a node in lanes as seen from the origins in [least, most], padded by a share of their
+/// reach.
+template <class V>
+struct BoxLanes {
+  V lo[3], hi[3];
+};
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE BoxLanes<V> padded_boxes(D d, const WideNode& node, std::size_t first, Vec3f least,
+                                    Vec3f most, float share) {
+  BoxLanes<V> boxes;
+  V reach = hn::Zero(d);
+  for (int axis = 0; axis < 3; ++axis) {
+    boxes.lo[axis] = hn::Sub(hn::Load(d, node.lo[axis] + first), hn::Set(d, most[axis]));
+    boxes.hi[axis] = hn::Sub(hn::Load(d, node.hi[axis] + first), hn::Set(d, least[axis]));
+    reach = hn::Max(reach, hn::Max(hn::Abs(boxes.lo[axis]), hn::Abs(boxes.hi[axis])));
+  }
+  const V pad = hn::Mul(hn::Set(d, share), reach);
+  for (int axis = 0; axis < 3; ++axis)
+    boxes.lo[axis] = hn::Sub(boxes.lo[axis], pad), boxes.hi[axis] = hn::Add(boxes.hi[axis], pad);
+  return boxes;
+}
+
 /// Also writes a lower bound of that t for each child.
 HWY_INLINE Overlap overlap(const Shaft& shaft, const WideNode& node, float* near_out) {
   const hn::CappedTag<float, WideNode::width> d;
   Overlap result;
   for (std::size_t first = 0; first < WideNode::width; first += hn::Lanes(d)) {
     using V = hn::Vec<decltype(d)>;
-    V lo[3], hi[3];
-    V reach = hn::Zero(d);
-    for (int axis = 0; axis < 3; ++axis) {
-      lo[axis] = hn::Sub(hn::Load(d, node.lo[axis] + first), hn::Set(d, shaft.most_origin[axis]));
-      hi[axis] = hn::Sub(hn::Load(d, node.hi[axis] + first), hn::Set(d, shaft.least_origin[axis]));
-      reach = hn::Max(reach, hn::Max(hn::Abs(lo[axis]), hn::Abs(hi[axis])));
-    }
-    const V pad = hn::Mul(hn::Set(d, shaft.pad), reach);
+    const auto [lo, hi] =
+        padded_boxes(d, node, first, shaft.least_origin, shaft.most_origin, shaft.pad);
     V near = hn::Zero(d), far = hn::Set(d, shaft.t_max);
     for (int axis = 0; axis < 3; ++axis) {
-      const V at_lo = hn::Mul(hn::Sub(lo[axis], pad), hn::Set(d, shaft.inverse_most[axis]));
-      const V at_hi = hn::Mul(hn::Add(hi[axis], pad), hn::Set(d, shaft.inverse_least[axis]));
+      const V at_lo = hn::Mul(lo[axis], hn::Set(d, shaft.inverse_most[axis]));
+      const V at_hi = hn::Mul(hi[axis], hn::Set(d, shaft.inverse_least[axis]));
       switch (shaft.slopes[axis]) {
         case Slopes::rising: near = hn::Max(near, at_lo), far = hn::Min(far, at_hi); break;
         case Slopes::falling: near = hn::Max(near, at_hi), far = hn::Min(far, at_lo); break;

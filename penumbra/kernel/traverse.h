@@ -52,6 +52,15 @@ void occluded_by(const Record& record, const LightSamples& rays,
 using VisitLeaf = bool (*)(void* context, std::uint32_t first, std::uint32_t count);
 bool walk(std::span<const WideNode> nodes, const Ray& ray, VisitLeaf leaf, void* context);
 
+/// The same for a callable bool(first, count).
+template <class Leaf>
+bool walk(std::span<const WideNode> nodes, const Ray& ray, Leaf leaf) {
+  const auto call = [](void* context, std::uint32_t first, std::uint32_t count) -> bool {
+    return (*static_cast<Leaf*>(context))(first, count);
+  };
+  return walk(nodes, ray, call, &leaf);
+}
+
 /// The hull of a box of receiver points and a convex set of targets, as boxes see it: at t in [0,
 /// 1] it reaches along each axis from receivers.lo + t least to receivers.hi + t most. For targets
 /// in a box, least and most are its corners minus those of the receivers; where the targets move
@@ -64,16 +73,18 @@ struct ShaftBounds {
   float floor = -std::numeric_limits<float>::infinity();
 };
 
-/// The leaves that a shaft may pass.
-bool walk(std::span<const WideNode> nodes, const ShaftBounds& shaft, VisitLeaf leaf, void* context);
+/// The leaves that a shaft may pass, in no order: every record that blocks a ray of the shaft is in
+/// one of them. `records`, those of the leaves.
+bool walk(std::span<const WideNode> nodes, std::span<const Record> records,
+          const ShaftBounds& shaft, VisitLeaf leaf, void* context);
 
-/// Either, for a callable bool(first, count).
-template <class Query, class Leaf>
-bool walk(std::span<const WideNode> nodes, const Query& query, Leaf leaf) {
+template <class Leaf>
+bool walk(std::span<const WideNode> nodes, std::span<const Record> records,
+          const ShaftBounds& shaft, Leaf leaf) {
   const auto call = [](void* context, std::uint32_t first, std::uint32_t count) -> bool {
     return (*static_cast<Leaf*>(context))(first, count);
   };
-  return walk(nodes, query, call, &leaf);
+  return walk(nodes, records, shaft, call, &leaf);
 }
 
 // One ray and one record at a time, on the compiler's baseline instruction set: the judge.

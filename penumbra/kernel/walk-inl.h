@@ -10,8 +10,11 @@
 #define PENUMBRA_KERNEL_WALK_INL_H_
 #endif
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <utility>
@@ -20,6 +23,16 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace penumbra::HWY_NAMESPACE {
+
+/// What will be needed soon: most of a ray's time on a large mesh is waiting for memory.
+HWY_INLINE void prefetch(std::span<const WideNode> nodes, std::span<const Record> records,
+                         NodeRef ref) {
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(
+      ref.is_leaf() ? static_cast<const void*>(&records[ref.first()])
+                    : static_cast<const void*>(&nodes[ref.node()]));
+  const std::size_t size = ref.is_leaf() ? ref.count() * sizeof(Record) : sizeof(WideNode);
+  for (std::size_t i = 0; i < size; i += 64) hwy::Prefetch(bytes + i);
+}
 
 /// Calls leaf(first, count) for the leaves below `start` that the ray may pass, the nearest child
 /// of a node first (what blocks one ray is often near what blocked the last), until it returns

@@ -40,8 +40,8 @@ HWY_INLINE std::uint32_t above_floor(const ShaftBounds& bounds, const WideNode& 
   return met;
 }
 
-bool WalkShaft(std::span<const WideNode> nodes, const ShaftBounds& bounds, VisitLeaf leaf,
-               void* context) {
+bool WalkShaft(std::span<const WideNode> nodes, std::span<const Record> records,
+               const ShaftBounds& bounds, VisitLeaf leaf, void* context) {
   if (nodes.empty()) return false;
   Shaft shaft = make_shaft(bounds.receivers, bounds.least, bounds.most, 1);
   shaft.pad = 4 * box_pad;
@@ -57,7 +57,11 @@ bool WalkShaft(std::span<const WideNode> nodes, const ShaftBounds& bounds, Visit
     const WideNode& node = nodes[ref.node()];
     alignas(32) float near[WideNode::width];
     std::uint32_t met = overlap(shaft, node, near).met & above_floor(bounds, node);
-    for (; met != 0; met &= met - 1) stack[top++] = node.child[__builtin_ctz(met)];
+    for (; met != 0; met &= met - 1) {
+      const NodeRef child = node.child[__builtin_ctz(met)];
+      prefetch(nodes, records, child);
+      stack[top++] = child;
+    }
   }
   return false;
 }
@@ -76,9 +80,9 @@ bool walk(std::span<const WideNode> nodes, const Ray& ray, VisitLeaf leaf, void*
 
 HWY_EXPORT(WalkShaft);
 
-bool walk(std::span<const WideNode> nodes, const ShaftBounds& shaft, VisitLeaf leaf,
-          void* context) {
-  return HWY_DYNAMIC_DISPATCH(WalkShaft)(nodes, shaft, leaf, context);
+bool walk(std::span<const WideNode> nodes, std::span<const Record> records,
+          const ShaftBounds& shaft, VisitLeaf leaf, void* context) {
+  return HWY_DYNAMIC_DISPATCH(WalkShaft)(nodes, records, shaft, leaf, context);
 }
 
 }  // namespace penumbra

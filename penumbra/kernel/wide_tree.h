@@ -54,9 +54,9 @@ struct BoxTree {
 };
 
 /// Surface area heuristic by Embree's builder (`rtcBuildBVH`, high quality). Throws
-/// std::runtime_error when Embree cannot be had, std::length_error for 2^27 boxes and more.
-/// Cost: O(n log n) over all cores.
-BoxTree build_box_tree(std::span<const Box> boxes);
+/// std::runtime_error when Embree cannot be had, std::length_error for 2^27 boxes and more. Up to
+/// `tested_together` boxes of a leaf cost as much as one. Cost: O(n log n) over all cores.
+BoxTree build_box_tree(std::span<const Box> boxes, std::uint32_t tested_together = 1);
 
 /// A hierarchy over records (`bounds(Record)`), which lie in leaf order.
 struct WideTree {

@@ -3,6 +3,7 @@
 // each node of the ray tree and light; also known as shadow buffer, Haines & Greenberg 1986).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -13,10 +14,29 @@
 
 namespace penumbra {
 
+/// Whether to try what has failed before: after n failures in a row 2^n - 1 times not, 31 at most.
+class Backoff {
+ public:
+  bool is_due() {
+    if (waiting_ == 0) return true;
+    --waiting_;
+    return false;
+  }
+  void note(bool has_succeeded) {
+    failures_ = has_succeeded ? 0 : std::min(failures_ + 1, 5);
+    waiting_ = (1 << failures_) - 1;
+  }
+
+ private:
+  int failures_ = 0, waiting_ = 0;
+};
+
 /// One queue. Entries index the kernel's records.
 struct OccluderQueue {
   std::array<std::uint32_t, 2> record{no_record, no_record};
   std::uint32_t inner_volume = no_volume;  ///< of the last umbra proof by one (`umbra`)
+  /// Of `shaft`: lists and sheets, for groups of 64, 16, 4 receivers and for one.
+  std::array<Backoff, 4> list, sheet;
 
   /// A hit: `blocker` comes to the front, once.
   void move_to_front(std::uint32_t blocker) {

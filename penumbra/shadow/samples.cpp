@@ -111,6 +111,19 @@ std::uint64_t trace_samples(const Kernel& kernel, std::span<const std::uint32_t>
   return rays;
 }
 
+std::uint64_t trace_word(const Kernel& kernel, std::span<const std::uint32_t> records,
+                         std::uint32_t word, OccluderQueue& queue, SampleScratch& scratch,
+                         ShadowCounters& counters) {
+  scratch.by_one.resize(scratch.active.size());
+  scratch.remaining.assign(scratch.active.size(), 0);
+  scratch.remaining[word] = scratch.active[word];
+  const auto rays = static_cast<std::uint64_t>(std::popcount(scratch.active[word]));
+  note(
+      occluded_among(kernel.records(), records, scratch.samples, scratch.remaining, scratch.by_one),
+      rays, queue, scratch, counters);
+  return rays;
+}
+
 Visibility sum_up(const SampleScratch& scratch) {
   double all = 0, free = 0;
   std::uint32_t free_count = 0;

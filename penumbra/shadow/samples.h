@@ -40,6 +40,11 @@ std::uint64_t trace_samples(const Kernel& kernel, OccluderQueue& queue, SampleSc
 std::uint64_t trace_samples(const Kernel& kernel, std::span<const std::uint32_t> records,
                             OccluderQueue& queue, SampleScratch& scratch, ShadowCounters& counters);
 
+/// The same for one word of 32 samples.
+std::uint64_t trace_word(const Kernel& kernel, std::span<const std::uint32_t> records,
+                         std::uint32_t word, OccluderQueue& queue, SampleScratch& scratch,
+                         ShadowCounters& counters);
+
 /// Whether any sample is blocked.
 bool is_any_blocked(const SampleScratch& scratch);
 

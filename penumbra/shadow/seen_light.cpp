@@ -44,16 +44,34 @@ SeenLight seen_by_one(const LightForm& light, const ReceiverRows& rows, std::siz
           column(rows.normal, index),
           column(rows.way, index),
           rows.distance[index],
+          light.size,
           rows.doubt[index],
           0,
           0};
+}
+
+SeenLight seen_part(const SeenLight& sight, const LightSamples& samples, std::uint32_t word,
+                    std::uint32_t bits) {
+  Box box;
+  for (; bits != 0; bits &= bits - 1) {
+    const std::uint32_t i = 32 * word + static_cast<std::uint32_t>(std::countr_zero(bits));
+    box.add({samples.x[i], samples.y[i], samples.z[i]});
+  }
+  // A sun's samples are unit directions, and the rays go on.
+  const float scale = sight.light->is_sun ? sight.distance : 1;
+  SeenLight part = sight;
+  part.counts_as_ball = true;
+  part.way = box.center() * scale, part.distance = length(part.way);
+  part.size = length(box.size()) * (0.5f * (1 + 0x1p-20f) * scale);
+  part.doubt = 0x1p-20f * (part.distance + part.size);
+  return part;
 }
 
 SeenLight seen_by_all(const LightForm& light, const ReceiverGroup& group) {
   const ReceiverRows& rows = group.rows;
   const Box box = group.bounds();
   SeenLight seen;
-  seen.light = &light, seen.counts_as_ball = true;
+  seen.light = &light, seen.counts_as_ball = true, seen.size = light.size;
   seen.p = box.center();
   Vec3f up;
   for (std::size_t i = group.first; i < group.first + group.count; ++i)

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "penumbra/geometry/box.h"
+#include "penumbra/geometry/light_sampling.h"
 #include "penumbra/geometry/vec.h"
 #include "penumbra/shadow/light_form.h"
 #include "penumbra/shadow/shadow_query.h"
@@ -23,6 +24,7 @@ struct SeenLight {
   Vec3f p, normal;              ///< of the receiver
   Vec3f way;                    ///< c - p
   float distance = 0;           ///< its length
+  float size = 0;               ///< the largest |l - c|
   float doubt = 0;              ///< by which samples may lie off the light
   float receiver_radius = 0;    ///< of the ball around p
   /// What lies below this height over p, along the normal, blocks no active sample; 0 for a single
@@ -64,6 +66,11 @@ struct ReceiverGroup {
 };
 
 SeenLight seen_by_one(const LightForm& light, const ReceiverRows& rows, std::size_t index);
+
+/// From the receiver of `sight`, as if the light were no more than these of its samples (bits of a
+/// word of 32, at least one).
+SeenLight seen_part(const SeenLight& sight, const LightSamples& samples, std::uint32_t word,
+                    std::uint32_t bits);
 
 /// From all of a group: the light counts as the ball around it.
 SeenLight seen_by_all(const LightForm& light, const ReceiverGroup& group);

@@ -52,7 +52,7 @@ bool gather_candidates(const ShadowScene& scene, std::uint32_t light, const Box&
     tests += count;
     return list.size() > most;
   };
-  return !walk(scene.kernel->nodes(), bounds, add);
+  return !walk(scene.kernel->nodes(), records, bounds, add);
 }
 
 }  // namespace penumbra

@@ -74,7 +74,7 @@ struct SightLanes {
         doubt(all(seen.doubt)),
         radius(seen.receiver_radius),
         floor(seen.floor) {
-    add_sizes();
+    add_sizes(seen.size);
   }
   SightLanes(const LightForm& light_, const ReceiverRows& rows, std::size_t first)
       : light(light_),
@@ -84,7 +84,7 @@ struct SightLanes {
         way(load(rows.way, first)),
         distance(hn::LoadU(lane_tag, rows.distance + first)),
         doubt(hn::LoadU(lane_tag, rows.doubt + first)) {
-    add_sizes();
+    add_sizes(light_.size);
   }
 
   const LightForm& light;
@@ -115,8 +115,8 @@ struct SightLanes {
     return {hn::LoadU(lane_tag, row[0] + first), hn::LoadU(lane_tag, row[1] + first),
             hn::LoadU(lane_tag, row[2] + first)};
   }
-  HWY_INLINE void add_sizes() {
-    size = hn::Mul(hn::Add(all(light.size), doubt), all(1 + sum_pad));
+  HWY_INLINE void add_sizes(float of_light) {
+    size = hn::Mul(hn::Add(all(of_light), doubt), all(1 + sum_pad));
     taper = hn::Sub(size, all(radius));
     reach = hn::Add(hn::Mul(distance, all(1 + sum_pad)), hn::Add(size, all(radius)));
   }

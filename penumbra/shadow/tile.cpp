@@ -12,7 +12,7 @@ namespace {
 
 /// Candidates that are worth a list, and so few that receivers sift them rather than splitting
 /// their group.
-constexpr std::size_t most_of_one = 64, few = 32;
+constexpr std::size_t most_of_one = 64, few = 32, many = 6;
 constexpr std::size_t most_of(std::size_t receivers) {
   return receivers > 16 ? 512 : receivers > 4 ? 192 : 96;
 }
@@ -80,7 +80,12 @@ class Tile {
       if (list->size() == 0) return all_are(first, count, ShadowClass::lit);
       if (list->size() <= few) return answer_each(receivers, *list);
     }
-    if (is_behind_sheet(sight, count)) return all_are(first, count, ShadowClass::umbra);
+    Backoff& backoff = queue_.sheet[level_of(count)];
+    if (!scene_.sheet.is_empty() && backoff.is_due()) {
+      const bool is_umbra = is_behind_sheet(sight, count);
+      backoff.note(is_umbra);
+      if (is_umbra) return all_are(first, count, ShadowClass::umbra);
+    }
     const std::size_t part = (count + 3) / 4;
     for (std::size_t from = 0; from < count; from += part)
       answer_group(first + from, std::min(part, count - from), list, level + 1);
@@ -89,9 +94,17 @@ class Tile {
   CandidateList& gathered() { return scratch_.list[TileScratch::levels]; }
 
   bool gather(const ReceiverGroup& receivers, const SeenLight& sight, std::size_t most) {
+    Backoff& backoff = queue_.list[level_of(receivers.count)];
+    if (!backoff.is_due()) return false;
     ++counters_.set_rays;
-    return gather_candidates(scene_, light_, receivers.bounds(), sight, most, gathered(),
-                             counters_.set_tests);
+    const bool is_list = gather_candidates(scene_, light_, receivers.bounds(), sight, most,
+                                           gathered(), counters_.set_tests);
+    backoff.note(is_list);
+    return is_list;
+  }
+
+  static std::size_t level_of(std::size_t count) {
+    return count > 16 ? 0 : count > 4 ? 1 : count > 1 ? 2 : 3;
   }
 
   /// Candidates are few: each is held against all receivers.
@@ -110,7 +123,7 @@ class Tile {
         records.clear();
         for (const SiftedRows::Candidate& candidate : sifted.candidate)
           if (candidate.kept >> i & 1) records.push_back(candidate.record);
-        answer_at(row) = by_samples(row, true);
+        answer_at(row) = by_records(row);
       }
     }
   }
@@ -137,14 +150,14 @@ class Tile {
   void answer_one(std::size_t row, const CandidateList* list) {
     const SeenLight seen = seen_by_one(form_, scratch_.rows, row);
     if (!list && gather(group(row, 1), seen, most_of_one)) list = &gathered();
-    if (list) {
-      sift(*list, seen, scratch_.sifted);
-      if (scratch_.sifted.cover != no_record)
-        return void(answer_at(row) = proven(row, ShadowClass::umbra));
-      if (scratch_.sifted.record.empty())
-        return void(answer_at(row) = proven(row, ShadowClass::lit));
-    }
-    answer_at(row) = by_samples(row, list != nullptr);
+    if (!list) return void(answer_at(row) = by_packets(row));
+    sift(*list, seen, scratch_.sifted);
+    if (scratch_.sifted.cover != no_record)
+      answer_at(row) = proven(row, ShadowClass::umbra);
+    else if (scratch_.sifted.record.empty())
+      answer_at(row) = proven(row, ShadowClass::lit);
+    else
+      answer_at(row) = by_records(row);
   }
 
   /// Returns whether any sample is above the horizon.
@@ -153,14 +166,38 @@ class Tile {
     return take_samples(scene_, light_, query.receiver, query.key, samples_) > 0;
   }
 
-  Visibility by_samples(std::size_t row, bool has_list) {
+  /// By the sifted records, what blocked last first. Where they and the samples are many, runs of
+  /// samples, which are neighbours on the light, sift them again.
+  Visibility by_records(std::size_t row) {
     if (!take(row)) return {0, 0, ShadowClass::umbra};
     counters_.count(ShadowClass::penumbra);
-    const std::uint64_t rays =
-        has_list
-            ? trace_samples(*scene_.kernel, scratch_.sifted.record, queue_, samples_, counters_)
-            : trace_samples(*scene_.kernel, queue_, samples_, counters_);
+    std::vector<std::uint32_t>& records = scratch_.sifted.record;
+    const auto last = std::find(records.begin(), records.end(), queue_.record[0]);
+    if (last != records.end()) std::iter_swap(last, records.begin());
+    std::uint64_t rays = 0;
+    if (samples_.active.size() < 2 || records.size() < many) {
+      rays = trace_samples(*scene_.kernel, records, queue_, samples_, counters_);
+      return summed(ShadowClass::penumbra, rays);
+    }
+    CandidateList& list = scratch_.list[TileScratch::levels + 1];
+    list.clear();
+    for (const std::uint32_t i : records) list.add(scene_.kernel->records()[i], i);
+    const SeenLight seen = seen_by_one(form_, scratch_.rows, row);
+    for (std::uint32_t word = 0; word < samples_.active.size(); ++word) {
+      if (samples_.active[word] == 0) continue;
+      sift(list, seen_part(seen, samples_.samples, word, samples_.active[word]), scratch_.sifted);
+      if (scratch_.sifted.cover != no_record) records.assign(1, scratch_.sifted.cover);
+      if (!records.empty())
+        rays += trace_word(*scene_.kernel, records, word, queue_, samples_, counters_);
+    }
     return summed(ShadowClass::penumbra, rays);
+  }
+
+  Visibility by_packets(std::size_t row) {
+    if (!take(row)) return {0, 0, ShadowClass::umbra};
+    counters_.count(ShadowClass::penumbra);
+    return summed(ShadowClass::penumbra,
+                  trace_samples(*scene_.kernel, queue_, samples_, counters_));
   }
 
   /// p' in the light, far outside the scene, or no number: nothing is proven.
@@ -220,7 +257,6 @@ bool Tile::is_outline_hidden(const SeenLight& sight) {
 /// Whether what stands before the light's centre goes on to its outline: the nearest sheet, or the
 /// last.
 bool Tile::is_behind_sheet(const SeenLight& sight, std::size_t receivers) {
-  if (scene_.sheet.is_empty()) return false;
   const Kernel& kernel = *scene_.kernel;
   Ray ray{sight.p, sight.way};
   ray.t_max = 1;

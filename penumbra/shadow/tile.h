@@ -29,7 +29,7 @@ struct TileScratch {
   ReceiverRows rows;
   std::array<std::uint32_t, ReceiverRows::most> query;  ///< of each row
   std::unique_ptr<CandidateList[]> list =
-      std::make_unique_for_overwrite<CandidateList[]>(levels + 1);
+      std::make_unique_for_overwrite<CandidateList[]>(levels + 2);
   Sifted sifted;
   SiftedRows sifted_rows;
   SheetScratch sheet;
