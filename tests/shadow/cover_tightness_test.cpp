@@ -23,7 +23,7 @@ trials::CoverTrial typical_trial(const Occluder& occluder, const char* light_kin
                behind = extent * double(random.power(0, 1));
   const Vec3f p(occluder.aim - way * before);
   const double size = occluder.size * (1 + behind / before) * double(random.power(-2, 0));
-  return {make_light(light_kind, random_form(random), occluder.aim + way * behind, size, p), p};
+  return {make_light(light_kind, random_figure(random), occluder.aim + way * behind, size, p), p};
 }
 
 /// Of the trials whose 256 samples are all blocked, which share is proven.

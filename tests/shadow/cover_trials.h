@@ -79,7 +79,7 @@ struct CoverTrial {
 class Situation {
  public:
   Situation(const char* light_kind, const Occluder& occluder, Random& random)
-      : kind_(light_kind), form_(random_form(random)) {
+      : kind_(light_kind), figure_(random_figure(random)) {
     const Vec3d way = random.direction();
     const double before = distance(occluder.size, random), behind = distance(occluder.size, random);
     Vec3d p = occluder.aim - way * before;
@@ -101,7 +101,7 @@ class Situation {
   CoverTrial at(double t) const {
     const bool is_moved = shift_ != Vec3d{};
     const double size = is_moved ? smallest_ : std::max(largest_ * t, largest_ * 1e-6);
-    return {make_light(kind_, form_, is_moved ? center_ + shift_ * t : center_, size, p_), p_};
+    return {make_light(kind_, figure_, is_moved ? center_ + shift_ * t : center_, size, p_), p_};
   }
 
  private:
@@ -114,7 +114,7 @@ class Situation {
   }
 
   const char* kind_;
-  LightForm form_;
+  LightFigure figure_;
   Vec3f p_;
   Vec3d center_, shift_;
   double largest_ = 0, smallest_ = 0;

@@ -38,7 +38,8 @@ class EdgeRules : public testing::TestWithParam<Method> {
 };
 
 INSTANTIATE_TEST_SUITE_P(EachMethod, EdgeRules,
-                         testing::Values(Method::offset, Method::reduced, Method::umbra));
+                         testing::Values(Method::offset, Method::reduced, Method::umbra,
+                                         Method::shaft));
 
 const Receiver up{{0, 0, 0}, {0, 0, 1}};
 
@@ -144,8 +145,9 @@ TEST_P(EdgeRules, LitAndUmbraAreProvenWhereTheyAreClear) {
   EXPECT_EQ(see(floor_and({{5, 0, 2}, 1, 0}), light, up).shadow_class, ShadowClass::lit);
   EXPECT_EQ(counters.rays, 0u);
   const ShapeSet hidden = floor_and({{0, 0, 3}, 2, 0});
+  const bool proves_umbra = GetParam() == Method::umbra || GetParam() == Method::shaft;
   EXPECT_EQ(see(hidden, light, up).shadow_class,
-            GetParam() == Method::umbra ? ShadowClass::umbra : ShadowClass::penumbra);
+            proves_umbra ? ShadowClass::umbra : ShadowClass::penumbra);
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ Trial random_trial(Random& random) {
   const Vec3f target = place(random.in_cube());
   const char* kind = light_kinds[random.below(light_kinds.size())];
   return {std::move(shapes),
-          make_light(kind, random_form(random), Vec3d(at), double(size), target)};
+          make_light(kind, random_figure(random), Vec3d(at), double(size), target)};
 }
 
 /// Where a ray that starts at the light, or anywhere, hits a mesh: in front of it or behind; on the

@@ -23,23 +23,23 @@ inline constexpr std::array light_kinds = {"point", "ball",    "parallelogram", 
 enum class LightSolid { bipyramid, pyramid, prism };
 
 /// What is left of a light without its place, kind and size.
-struct LightForm {
+struct LightFigure {
   Vec3d u, v, w;               ///< half axes of a light of size 1; |u| = 1, u and v span flat ones
   std::vector<double> angles;  ///< of corners around w, radians; no gap as wide as pi
   LightSolid solid = LightSolid::bipyramid;
 };
 
 /// Faces along `way`: polygons have five corners, meshes seven.
-inline LightForm facing_form(Vec3d way) {
+inline LightFigure facing_figure(Vec3d way) {
   const Frame<double> frame = frame_around(normalize(way));
-  LightForm form{frame.u, frame.v * 0.7 + frame.u * 0.2, frame.n, {}};
+  LightFigure form{frame.u, frame.v * 0.7 + frame.u * 0.2, frame.n, {}};
   for (int k = 0; k < 5; ++k) form.angles.push_back(0.4 * std::numbers::pi * k);
   return form;
 }
 
 /// Turned, squeezed and skewed, with 3 to 10 corners around it (meshes: 4 to 20).
-inline LightForm random_form(nasty::Random& random) {
-  LightForm form;
+inline LightFigure random_figure(nasty::Random& random) {
+  LightFigure form;
   form.u = random.direction();
   form.v = normalize(cross(form.u, random.direction() + Vec3d{0.1, 0.2, 0.3}));
   form.w = cross(form.u, form.v) * double(random.uniform(0.05f, 1));
@@ -55,7 +55,7 @@ inline LightForm random_form(nasty::Random& random) {
   return form;
 }
 
-inline MeshLight mesh_light(const LightForm& form, Vec3d center, double size) {
+inline MeshLight mesh_light(const LightFigure& form, Vec3d center, double size) {
   MeshLight mesh{Vec3f(center), {}, {}};
   const auto n = static_cast<std::uint32_t>(form.angles.size());
   const auto add_corner = [&](Vec3d from_center) {
@@ -95,7 +95,7 @@ inline MeshLight mesh_light(const LightForm& form, Vec3d center, double size) {
 
 /// `size` is the radius: how far the light reaches along u. A sun is as wide as something of that
 /// size at the centre, seen from `seen_from`.
-inline LightShape make_light(std::string_view kind, const LightForm& form, Vec3d center,
+inline LightShape make_light(std::string_view kind, const LightFigure& form, Vec3d center,
                              double size, Vec3f seen_from) {
   const Vec3f c(center), u(form.u * size), v(form.v * size);
   if (kind == "point") return PointLight{c};
@@ -118,7 +118,7 @@ inline LightShape make_light(std::string_view kind, const LightForm& form, Vec3d
 
 /// Regular; flat lights face `target`, and a sun shines towards it.
 inline LightShape light_of_kind(std::string_view kind, Vec3f center, float size, Vec3f target) {
-  return make_light(kind, facing_form(Vec3d(target) - Vec3d(center)), Vec3d(center), double(size),
+  return make_light(kind, facing_figure(Vec3d(target) - Vec3d(center)), Vec3d(center), double(size),
                     target);
 }
 

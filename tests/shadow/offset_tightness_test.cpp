@@ -48,7 +48,7 @@ double volume(const Box& box) {
 void compare(const ShapeSet& shapes, const char* light_kind, int points, Random& random,
              Volumes& volumes) {
   const Record record = only_record(shapes);
-  const LightForm form = random_form(random);
+  const LightFigure form = random_figure(random);
   const Vec3d towards = random.direction();
   const auto light_around = [&](Vec3f x) {
     return make_light(light_kind, form, Vec3d(x), 0.4, Vec3f(Vec3d(x) - towards));

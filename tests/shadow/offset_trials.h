@@ -18,6 +18,11 @@ using nasty::Random;
 struct OffsetTrial {
   LightShape light;
   Vec3f p;
+  Vec3f normal;  ///< at p, one way or the other
+  // What the light was made from.
+  LightFigure figure;
+  Vec3d center;
+  double size = 0;
 };
 
 inline Vec3f random_direction(Random& random) { return Vec3f(random.direction()); }
@@ -71,7 +76,13 @@ inline OffsetTrial offset_trial(const ShapeSet& shapes, const Kernel& kernel, co
     }
     default: break;
   }
-  return {make_light(light_kind, random_form(random), Vec3d(center), double(size), p), p};
+  const LightFigure figure = random_figure(random);
+  return {make_light(light_kind, figure, Vec3d(center), double(size), p),
+          p,
+          normal,
+          figure,
+          Vec3d(center),
+          double(size)};
 }
 
 }  // namespace penumbra::trials

@@ -51,26 +51,59 @@ inline RandomScene random_scene(Random& random) {
       scene.shapes.meshes.push_back(std::move(mesh));
   if (random.one_in(3)) make_some_clear(scene.shapes, random);
   for (std::uint32_t i = 0, lights = 1 + random.below(3); i < lights; ++i) {
-    const Vec3f at = scene.place(random_point(random) * random.uniform(0.2f, 4));
+    const std::vector<ShapeRef> refs = all_primitives(scene.shapes);
+    Vec3f at = scene.place(random_point(random) * random.uniform(0.2f, 4));
+    if (random.one_in(5))  // in a shape, or next to it
+      at = point_of_interest(scene.shapes, refs[random.below(std::uint32_t(refs.size()))], random) +
+           random.in_cube() * (scene.place.scale * random.power(-6, 0));
     const double size = double(scene.place.scale * random.power(-3, 0.5f));
     const char* kind = light_kinds[random.below(light_kinds.size())];
     const Vec3f target = scene.place(random.in_cube());
-    scene.lights.push_back(make_light(kind, random_form(random), Vec3d(at), size, target));
+    scene.lights.push_back(make_light(kind, random_figure(random), Vec3d(at), size, target));
   }
   return scene;
 }
 
-/// A point to ask about: where a random ray hits something, else anywhere.
-inline Receiver random_receiver(const RandomScene& scene, const Kernel& kernel, Random& random) {
-  const Vec3f from = scene.place(random.in_cube() * 3.0f);
-  const Vec3f direction = scene.place(random_point(random)) - from;
-  const auto found = kernel.closest({from, direction}).hit;
+/// Where a ray hits something, else anywhere.
+inline Receiver receiver_on_ray(const RandomScene& scene, const Kernel& kernel, const Ray& ray,
+                                Random& random) {
+  const auto found = kernel.closest(ray).hit;
   if (!found || random.one_in(10))
     return {scene.place(random_point(random)), normalize(random.in_cube())};
-  const SurfacePoint point =
-      surface_point(scene.shapes, found->shape, Vec3d(from), Vec3d(direction), double(found->t));
+  const SurfacePoint point = surface_point(scene.shapes, found->shape, Vec3d(ray.origin),
+                                           Vec3d(ray.direction), double(found->t));
   if (random.one_in(4)) return {behind_position(point), -Vec3f(point.normal)};
   return {receiver_position(point), Vec3f(point.normal)};
+}
+
+/// Points to ask about at once: one by one, or as a picture has them, row by row or in Z-order,
+/// from pixels far apart to pixels that can't be told apart; sometimes shuffled.
+inline std::vector<Receiver> random_receivers(const RandomScene& scene, const Kernel& kernel,
+                                              std::uint32_t count, Random& random) {
+  std::vector<Receiver> receivers;
+  const bool is_picture = !random.one_in(3), is_z_order = random.one_in(2);
+  const Vec3f eye = scene.place(random.in_cube() * 3.0f), target = scene.place(random.in_cube());
+  const Vec3f u = random.in_cube(), v = random.in_cube();
+  const float pixel = scene.place.scale * random.power(-7, -0.5f);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    Vec3f from = eye, to = target;
+    if (is_picture) {
+      std::uint32_t x = i % 16, y = i / 16;
+      if (is_z_order) {
+        x = y = 0;
+        for (std::uint32_t bit = 0; bit < 4; ++bit)
+          x |= (i >> 2 * bit & 1) << bit, y |= (i >> (2 * bit + 1) & 1) << bit;
+      }
+      to += u * (pixel * float(x)) + v * (pixel * float(y));
+    } else {
+      from = scene.place(random.in_cube() * 3.0f), to = scene.place(random_point(random));
+    }
+    receivers.push_back(receiver_on_ray(scene, kernel, {from, to - from}, random));
+  }
+  if (random.one_in(4))
+    for (std::uint32_t i = count; i > 1; --i)
+      std::swap(receivers[i - 1], receivers[random.below(i)]);
+  return receivers;
 }
 
 }  // namespace penumbra::nasty

@@ -73,7 +73,7 @@ TEST(TMax, BoundsEveryShadow) {
     Box scene = receivers;
     scene.add(occluder);
     const LightHull light(
-        make_light(light_kinds[which], random_form(random), Vec3d(place(random.in_cube() * 5.0f)),
+        make_light(light_kinds[which], random_figure(random), Vec3d(place(random.in_cube() * 5.0f)),
                    double(place.scale * random.power(-2, 0) / 2), place({})),
         scene);
     const double s_max = t_max(occluder, light, receivers);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/shadow/light_kinds.h"
+
 namespace penumbra {
 namespace {
 
@@ -209,20 +211,68 @@ TEST(Visibility, ALightInsideAnOccluderIsHidden) {
   expect_unbiased(estimate(shapes, BallLight{{0, 0, 4}, 1}, up, 32, 100), 0);
 }
 
-TEST(Visibility, BruteForceGivesTheSameBits) {
-  const BallLight light{{0, 0, 4}, 1};
+constexpr Method all_but_hard[] = {Method::stochastic, Method::offset, Method::reduced,
+                                   Method::umbra, Method::shaft};
+
+/// A plane's edge, a ball and a cone before a light, and what makes room for receivers.
+ShapeSet some_of_each() {
   ShapeSet shapes = half_plane(0.1f);
+  for (Vec3f& p : shapes.meshes[0].positions)
+    p = {std::min(p.x, 3.0f), std::clamp(p.y, -4.0f, 4.0f), p.z};
+  shapes.spheres.push_back({{-2, -2, -1}, 0.5f, 0});
   shapes.spheres.push_back({{-0.3f, 0.1f, 2}, 0.3f, 0});
   shapes.cones.push_back({{-1, -1, 1.5f}, {1, -0.2f, 1.8f}, 0.1f, 0.05f, Caps::capped, 0});
-  Lit wide(shapes, light, 48), brute(shapes, light, 48, Method::stochastic, KernelKind::brute);
-  for (std::uint64_t key = 0; key < 2'000; ++key) {
-    const Receiver receiver{
-        {static_cast<float>(key % 40) * 0.05f - 1, static_cast<float>(key / 40) * 0.04f - 1, 0},
-        {0, 0, 1}};
-    const Visibility a = wide.see(receiver, key), b = brute.see(receiver, key);
-    ASSERT_EQ(a.cosine_weighted, b.cosine_weighted);
-    ASSERT_EQ(a.fraction, b.fraction);
-    ASSERT_EQ(a.shadow_class, b.shadow_class);
+  return shapes;
+}
+
+/// 40 x 50 receivers on the ground.
+std::vector<ShadowQuery> on_the_ground() {
+  std::vector<ShadowQuery> queries;
+  for (std::uint64_t key = 0; key < 2'000; ++key)
+    queries.push_back(
+        {{{static_cast<float>(key % 40) * 0.05f - 1, static_cast<float>(key / 40) * 0.04f - 1, 0},
+          {0, 0, 1}},
+         key});
+  return queries;
+}
+
+TEST(Visibility, BruteForceGivesTheSameBits) {
+  const BallLight light{{0, 0, 4}, 1};
+  const ShapeSet shapes = some_of_each();
+  for (const Method method : all_but_hard) {
+    Lit wide(shapes, light, 48, method), brute(shapes, light, 48, method, KernelKind::brute);
+    for (const ShadowQuery& query : on_the_ground()) {
+      const Visibility a = wide.see(query.receiver, query.key);
+      const Visibility b = brute.see(query.receiver, query.key);
+      ASSERT_EQ(a.cosine_weighted, b.cosine_weighted) << static_cast<int>(method);
+      ASSERT_EQ(a.fraction, b.fraction) << static_cast<int>(method);
+      ASSERT_EQ(a.shadow_class, b.shadow_class) << static_cast<int>(method);
+    }
+  }
+}
+
+TEST(Visibility, ABatchIsAnsweredLikeItsReceiversOneByOne) {
+  const std::vector<ShadowQuery> queries = on_the_ground();
+  for (const char* kind : light_kinds) {
+    const LightShape light = light_of_kind(kind, {0.2f, 0, 4}, 0.3f, {});
+    Lit judge(some_of_each(), light, 32);
+    for (const Method method : all_but_hard) {
+      Lit lit(some_of_each(), light, 32, method);
+      std::vector<Visibility> seen(queries.size());
+      for (std::size_t first = 0, batch = 1; first < seen.size(); first += batch, batch += 9) {
+        batch = std::min(batch, seen.size() - first);
+        visibilities(lit.scene, 0, std::span(queries).subspan(first, batch), lit.queue, lit.scratch,
+                     lit.counters, std::span(seen).subspan(first, batch));
+      }
+      for (std::size_t i = 0; i < seen.size(); ++i) {
+        const Visibility truth = judge.see(queries[i].receiver, queries[i].key);
+        ASSERT_EQ(seen[i].cosine_weighted, truth.cosine_weighted) << kind;
+        ASSERT_EQ(seen[i].fraction, truth.fraction) << kind;
+      }
+      const ShadowCounters& of = lit.counters;
+      EXPECT_EQ(of.lit + of.umbra + of.penumbra, queries.size()) << kind;
+      EXPECT_TRUE(method != Method::shaft || of.lit + of.umbra > 20) << kind;  // proofs, too
+    }
   }
 }
 

@@ -18,7 +18,7 @@
 namespace penumbra {
 namespace {
 
-constexpr Method proving[] = {Method::offset, Method::reduced, Method::umbra};
+constexpr Method proving[] = {Method::offset, Method::reduced, Method::umbra, Method::shaft};
 
 RenderOptions picture(std::uint32_t size, std::uint32_t d) {
   RenderOptions options;

@@ -45,17 +45,19 @@ TEST_P(RenderGallery, IsTheSameForAnyNumberOfThreadsAndAnyTile) {
   RenderOptions options = small();
   options.samples_per_pixel = 2;
   options.aovs = {Aov::light_class, Aov::visibility, Aov::depth, Aov::normal, Aov::samples};
-  options.threads = 1;
   const Kernel kernel(scene.shapes, kernel_options(scene));
-  const ShadowScene shadows = prepare_shadows(scene, kernel, Method::umbra);
-  const Picture one = render(scene, shadows, options);
-  for (std::uint32_t threads : {2u, 7u})
-    for (std::uint32_t tile : {1u, 5u, 100u}) {
-      options.threads = threads, options.tile = tile;
-      const Picture other = render(scene, shadows, options);
-      EXPECT_TRUE(same_bits(one.image, other.image)) << threads << " threads, tile " << tile;
-      EXPECT_TRUE(same_counts(one.counters, other.counters));
-    }
+  for (const Method method : {Method::umbra, Method::shaft}) {
+    const ShadowScene shadows = prepare_shadows(scene, kernel, method);
+    options.threads = 1, options.tile = 16;
+    const Picture one = render(scene, shadows, options);
+    for (std::uint32_t threads : {2u, 7u})
+      for (std::uint32_t tile : {1u, 5u, 100u}) {
+        options.threads = threads, options.tile = tile;
+        const Picture other = render(scene, shadows, options);
+        EXPECT_TRUE(same_bits(one.image, other.image)) << threads << " threads, tile " << tile;
+        EXPECT_TRUE(same_counts(one.counters, other.counters));
+      }
+  }
 }
 
 TEST_P(RenderGallery, BruteForceDrawsTheSameBits) {
