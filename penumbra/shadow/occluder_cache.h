@@ -37,6 +37,7 @@ struct OccluderQueue {
   std::uint32_t inner_volume = no_volume;  ///< of the last umbra proof by one (`umbra`)
   /// Of `shaft`: lists and sheets, for groups of 64, 16, 4 receivers and for one.
   std::array<Backoff, 4> list, sheet;
+  Backoff closely;  ///< proofs in double precision
 
   /// A hit: `blocker` comes to the front, once.
   void move_to_front(std::uint32_t blocker) {

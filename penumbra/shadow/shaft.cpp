@@ -43,6 +43,7 @@ bool gather_candidates(const ShadowScene& scene, std::uint32_t light, const Box&
                        const SeenLight& sight, std::size_t most, CandidateList& list,
                        std::uint64_t& tests) {
   list.clear();
+  if (scene.kernel->nodes().empty()) return false;
   ShaftBounds bounds = bounds_of(scene.hulls[light], receivers);
   add_floor(sight, scene.receivers, bounds);
   const std::span<const Record> records = scene.kernel->records();

@@ -149,7 +149,9 @@ struct ConeColumn {
 HWY_INLINE LaneMask cones_missed(const SightLanes& sight, const ConeColumn& cone) {
   const LaneVec v = sub(cone.base, sight.p), e = scaled(cone.axis, cone.height);
   const Lane radius = hn::Max(cone.base_radius, cone.apex_radius);
-  const Lane reach = hn::Add(hn::Add(largest(v), cone.height), hn::Add(radius, all(sight.radius)));
+  const LaneVec top{hn::Add(v.x, e.x), hn::Add(v.y, e.y), hn::Add(v.z, e.z)};
+  const Lane reach =
+      hn::Add(hn::Max(largest(v), largest(top)), hn::Add(radius, all(sight.radius)));
   // The part of the normal across the axis: how high the circles reach over their centres.
   const Lane across = norm(cross(sight.n, cone.axis));
   const Lane low = dot(v, sight.n), high = hn::Add(low, dot(e, sight.n));

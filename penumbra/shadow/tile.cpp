@@ -5,6 +5,8 @@
 #include <bit>
 
 #include "penumbra/kernel/kernel.h"
+#include "penumbra/shadow/cover.h"
+#include "penumbra/shadow/offset.h"
 #include "penumbra/shadow/shaft.h"
 
 namespace penumbra {
@@ -78,14 +80,16 @@ class Tile {
       if (sift_for_all(*parent, sight, *list) != no_record)
         return all_are(first, count, ShadowClass::umbra);
       if (list->size() == 0) return all_are(first, count, ShadowClass::lit);
-      if (list->size() <= few) return answer_each(receivers, *list);
     }
+    // Without triangles there are no sheets.
+    const bool may_have_sheet = !scene_.sheet.is_empty() && !(list && list->triangles.count == 0);
     Backoff& backoff = queue_.sheet[level_of(count)];
-    if (!scene_.sheet.is_empty() && backoff.is_due()) {
+    if (may_have_sheet && backoff.is_due()) {
       const bool is_umbra = is_behind_sheet(sight, count);
       backoff.note(is_umbra);
       if (is_umbra) return all_are(first, count, ShadowClass::umbra);
     }
+    if (list && list->size() <= few) return answer_each(receivers, *list);
     const std::size_t part = (count + 3) / 4;
     for (std::size_t from = 0; from < count; from += part)
       answer_group(first + from, std::min(part, count - from), list, level + 1);
@@ -166,9 +170,32 @@ class Tile {
     return take_samples(scene_, light_, query.receiver, query.key, samples_) > 0;
   }
 
+  /// What double precision proves of a few cones, rings and triangles: that they lie behind the
+  /// receiver's horizon, or hide the whole light.
+  ShadowClass look_closely(std::size_t row) {
+    std::vector<std::uint32_t>& few_records = scratch_.sifted.record;
+    if (few_records.size() > many || !queue_.closely.is_due()) return ShadowClass::penumbra;
+    const Vec3f p = queries_[scratch_.query[row]].receiver.position;
+    const LightHull& light = scene_.hulls[light_];
+    const std::span<const Record> records = scene_.kernel->records();
+    std::erase_if(few_records, [&](std::uint32_t i) {
+      return records[i].kind != ShapeKind::sphere && surely_behind_horizon(records[i], light, p);
+    });
+    const bool is_covered =
+        std::any_of(few_records.begin(), few_records.end(), [&](std::uint32_t i) {
+          return records[i].kind != ShapeKind::sphere && surely_covers(records[i], light, p);
+        });
+    queue_.closely.note(is_covered || few_records.empty());
+    return is_covered            ? ShadowClass::umbra
+           : few_records.empty() ? ShadowClass::lit
+                                 : ShadowClass::penumbra;
+  }
+
   /// By the sifted records, what blocked last first. Where they and the samples are many, runs of
   /// samples, which are neighbours on the light, sift them again.
   Visibility by_records(std::size_t row) {
+    const ShadowClass proof = look_closely(row);
+    if (proof != ShadowClass::penumbra) return proven(row, proof);
     if (!take(row)) return {0, 0, ShadowClass::umbra};
     counters_.count(ShadowClass::penumbra);
     std::vector<std::uint32_t>& records = scratch_.sifted.record;
