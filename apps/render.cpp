@@ -31,7 +31,7 @@ struct Options {
   std::string scene, output, stats;
   SceneWishes wishes;
   RenderOptions render;
-  Method method = Method::stochastic;
+  Method method = Method::shaft;
   std::optional<PixelSize> size;  ///< none: the camera's own
   std::optional<PixelPosition> pixel;
   float exposure_ev = 0;
@@ -58,7 +58,8 @@ void add_shadow_options(CLI::App& app, Options& o) {
   const auto add = [&app](const char* name, const char* value, const char* help, auto parse) {
     add_parsed(app, name, value, help, parse)->group("Shadows");
   };
-  add("--method", "M", "stochastic (default), offset, reduced, umbra (the same picture), or hard",
+  add("--method", "M",
+      "shaft (default), stochastic, offset, reduced, umbra (all the same picture), or hard",
       [&o](Text text) { o.method = parse_method(text); });
   add("--shadow-samples", "D", "Samples a point and light (default 32)", [&o](Text text) {
     o.render.shadow_samples = static_cast<std::uint32_t>(parse_count(text, 1, 65536));

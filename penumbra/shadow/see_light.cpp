@@ -57,8 +57,9 @@ void SeeLight(const LightForm& light, const Box& scene, ReceiverRows& rows, Rece
     bits.below |= std::uint64_t(bits_of(below)) << i;
   }
   const std::uint64_t used = rows.count == 64 ? ~0ull : (1ull << rows.count) - 1;
-  bits.certain &= light.size > least_size && light.size < most_distance ? used : 0;
-  bits.above &= bits.certain, bits.below &= bits.certain;
+  const std::uint64_t usable = light.size > least_size && light.size < most_distance ? used : 0;
+  bits.certain &= usable, bits.near &= usable;
+  bits.above &= bits.certain | bits.near, bits.below &= bits.certain | bits.near;
 }
 
 }  // namespace penumbra::HWY_NAMESPACE

@@ -42,9 +42,11 @@ struct ReceiverRows {
 
 /// How receivers see a light, a bit for each.
 struct ReceiverBits {
-  /// All numbers are finite and in range, p surely outside the light and in the scene. Of others
+  /// All numbers are finite and in range, p in the scene and surely outside the light. Of others
   /// nothing is known.
   std::uint64_t certain = 0;
+  /// The same, but that p lies in the ball around the light, or next to it.
+  std::uint64_t near = 0;
   /// Every sample lies above, or every sample below, the plane through p across the normal: proven,
   /// however it is rounded.
   std::uint64_t above = 0, below = 0;

@@ -138,7 +138,7 @@ HWY_INLINE LaneMask capsule_misses_cone(const SightLanes& sight, const LaneVec& 
   const LaneMask behind = hn::Lt(hn::Add(highest, needed), zero);
   const LaneMask beyond =
       hn::Gt(hn::Sub(lowest, needed), hn::Mul(all(1 + 4 * sum_pad), sight.reach));
-  return hn::Or(hn::And(is_cone, hn::Gt(bound, needed)), hn::Or(behind, beyond));
+  return hn::Or(hn::And(is_cone, hn::Or(hn::Gt(bound, needed), behind)), beyond);
 }
 
 struct ConeColumn {

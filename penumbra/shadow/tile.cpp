@@ -34,11 +34,11 @@ class Tile {
         answers_(answers) {}
 
   void answer() {
-    ReceiverBits bits = see_light(form_, queries_, scene_.receivers, scratch_.rows);
+    const ReceiverBits bits = see_light(form_, queries_, scene_.receivers, scratch_.rows);
     std::uint64_t pending = 0;
     for (std::size_t i = 0; i < queries_.size(); ++i) {
       const std::uint64_t bit = 1ull << i;
-      if (!(bits.certain & bit))
+      if (!(bits.certain & bit) && !((bits.near & bit) && is_outside_light(i)))
         answers_[i] = in_doubt(i);
       else if (bits.below & bit)
         answers_[i] = {0, 0, ShadowClass::umbra};
@@ -198,6 +198,10 @@ class Tile {
     counters_.count(ShadowClass::penumbra);
     return summed(ShadowClass::penumbra,
                   trace_samples(*scene_.kernel, queue_, samples_, counters_));
+  }
+
+  bool is_outside_light(std::size_t i) const {
+    return !contains(scene_.lights[light_], queries_[i].receiver.position);
   }
 
   /// p' in the light, far outside the scene, or no number: nothing is proven.
