@@ -175,7 +175,7 @@ TEST_P(SiftTrials, NothingThatBlocksIsDroppedAndNothingPassesACover) {
   const Count count = run_pair(form(), light_kind(), 1'500, 0);
   EXPECT_GT(count.dropped, count.free * 3 / 10);
   EXPECT_GT(count.dropped_for_all, count.free / 6);
-  EXPECT_GT(count.critical, count.trials / 15);
+  EXPECT_GT(count.critical, count.trials / 25);
   if (form().kind == ShapeKind::sphere) {
     EXPECT_GT(count.covered, count.hidden / 2);
     EXPECT_GT(count.covered_for_all, count.hidden / 5);
