@@ -47,12 +47,14 @@ void SeeLight(const LightForm& light, const Box& scene, ReceiverRows& rows, Rece
     const LaneMask below =
         hn::Lt(hn::Add(hn::Add(height, sight.extent(n, length)), unsure), hn::Zero(lane_tag));
     const Lane outside = hn::Add(all(light.size * (1 + sum_pad)), hn::Mul(doubt, all(6.0f)));
-    LaneMask certain = hn::And(hn::Gt(distance, hn::Max(outside, all(least_distance))),
-                               hn::Lt(distance, all(most_distance)));
-    certain = hn::And(
-        certain, hn::And(hn::Lt(hn::Abs(height), all(most_distance)), hn::Lt(length, all(1.001f))));
-    certain = hn::And(certain, is_inside(p, scene));
-    bits.certain |= std::uint64_t(bits_of(certain)) << i;
+    LaneMask usable =
+        hn::And(hn::Gt(distance, all(least_distance)), hn::Lt(distance, all(most_distance)));
+    usable = hn::And(
+        usable, hn::And(hn::Lt(hn::Abs(height), all(most_distance)), hn::Lt(length, all(1.001f))));
+    usable = hn::And(usable, hn::And(hn::Lt(outside, all(most_distance)), is_inside(p, scene)));
+    const LaneMask apart = hn::Gt(distance, outside);
+    bits.certain |= std::uint64_t(bits_of(hn::And(usable, apart))) << i;
+    bits.near |= std::uint64_t(bits_of(hn::AndNot(apart, usable))) << i;
     bits.above |= std::uint64_t(bits_of(above)) << i;
     bits.below |= std::uint64_t(bits_of(below)) << i;
   }

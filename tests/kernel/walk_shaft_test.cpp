@@ -247,7 +247,7 @@ TEST(WalkShaftOverARow, EndsWhereALeafSaysSo) {
   EXPECT_TRUE(walk(row.kernel->nodes(), row.kernel->records(), all,
                    [&](std::uint32_t, std::uint32_t) { return ++leaves == 2; }));
   EXPECT_EQ(leaves, 2);
-  EXPECT_FALSE(walk(std::span<const WideNode>(), {}, all, [](auto, auto) { return true; }));
+  EXPECT_FALSE(walk({}, {}, all, [](auto, auto) { return true; }));
 }
 
 }  // namespace

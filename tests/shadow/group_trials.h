@@ -65,12 +65,15 @@ class GroupTrial {
   std::vector<ShadowQuery> queries_;
 };
 
-/// A light and those of its receivers of whom it is certain how they see it.
+/// A light and those of its receivers that surely lie outside it and don't have it below them.
 struct Watchers {
   Watchers(const LightShape& light_, const std::vector<ShadowQuery>& queries, const Box& shapes)
       : light(light_), form(LightHull(light_, scene_of(shapes, queries))) {
     bits = see_light(form, queries, scene_of(shapes, queries), rows);
-    const std::uint64_t kept = bits.certain & ~bits.below;
+    std::uint64_t kept = bits.certain & ~bits.below;
+    for (std::size_t i = 0; i < queries.size(); ++i)
+      if (!contains(light, queries[i].receiver.position))
+        kept |= bits.near & ~bits.below & 1ull << i;
     for (std::size_t i = 0; i < queries.size(); ++i)
       if (kept >> i & 1) {
         above |= (bits.above >> i & 1) << receivers.size();

@@ -246,6 +246,8 @@ TEST(Visibility, BruteForceGivesTheSameBits) {
       const Visibility b = brute.see(query.receiver, query.key);
       ASSERT_EQ(a.cosine_weighted, b.cosine_weighted) << static_cast<int>(method);
       ASSERT_EQ(a.fraction, b.fraction) << static_cast<int>(method);
+      // Without a hierarchy there is nothing to ask for candidates.
+      if (method == Method::shaft) continue;
       ASSERT_EQ(a.shadow_class, b.shadow_class) << static_cast<int>(method);
     }
   }
