@@ -33,11 +33,11 @@ std::uint32_t number_of(Area block, std::uint32_t width) {
 class BlockRenderer {
  public:
   BlockRenderer(const TraceContext& context, const RenderOptions& options, std::uint32_t block,
-                Image& image)
+                VisibilityScratch& visibility, Image& image)
       : context_(context),
         options_(options),
         image_(image),
-        scratch_(options.shadow_samples, context.scene.lights.size()) {
+        scratch_(visibility, context.scene.lights.size()) {
     if (options.observe) scratch_.observe = &options.observe;
     scratch_.block = block;
   }
@@ -99,8 +99,9 @@ class BlockRenderer {
 }  // namespace
 
 TraceScratch render_block(const TraceContext& context, const RenderOptions& options,
-                          const CameraRays& camera, Area block, Image& image) {
-  BlockRenderer renderer(context, options, number_of(block, options.width), image);
+                          const CameraRays& camera, Area block, VisibilityScratch& visibility,
+                          Image& image) {
+  BlockRenderer renderer(context, options, number_of(block, options.width), visibility, image);
   std::vector<CameraRay> rays;
   for (const Pixel pixel : z_order(block)) {
     camera.of_pixel(pixel.x, pixel.y, rays);

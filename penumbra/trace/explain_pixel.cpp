@@ -40,7 +40,8 @@ std::string describe(const RayNode& node) {
 
 std::string explain_pixel(const Scene& scene, const ShadowScene& shadows,
                           const RenderOptions& options, std::uint32_t x, std::uint32_t y) {
-  TraceScratch scratch(options.shadow_samples, scene.lights.size());
+  VisibilityScratch visibility(options.shadow_samples);
+  TraceScratch scratch(visibility, scene.lights.size());
   std::vector<CameraRay> rays;
   CameraRays(*scene.camera, options).of_pixel(x, y, rays);
   std::string out = fmt::format("pixel {},{}\n", x, y);

@@ -26,9 +26,9 @@ struct TraceContext {
 
 /// What one thread owns while it works on a block of pixels.
 struct TraceScratch {
-  TraceScratch(std::uint32_t shadow_samples, std::size_t lights)
-      : visibility(shadow_samples), cache(lights) {}
-  VisibilityScratch visibility;
+  TraceScratch(VisibilityScratch& thread, std::size_t lights)
+      : visibility(thread), cache(lights) {}
+  VisibilityScratch& visibility;  // outlives the block
   OccluderCache cache;
   RenderCounters counters;
   double shadow_seconds = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/trace/render.h"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -80,6 +81,7 @@ Picture render(const Scene& scene, const ShadowScene& shadows, const RenderOptio
   const Squares tiles({0, options.width, 0, options.height}, edge);
   // More threads than cores must be possible: results are promised for any number.
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, picture.threads);
+  tbb::enumerable_thread_specific<VisibilityScratch> memory(options.shadow_samples);
   tbb::task_arena arena(static_cast<int>(picture.threads));
   arena.execute([&] {
     tbb::parallel_for(
@@ -88,8 +90,9 @@ Picture render(const Scene& scene, const ShadowScene& shadows, const RenderOptio
           for (std::uint32_t i = range.begin(); i < range.end(); ++i) {
             const Squares blocks(tiles[i], block_edge);
             for (std::uint32_t k = 0; k < blocks.count(); ++k)
-              totals.add(render_block(context, options, camera, blocks[k], picture.image),
-                         blocks[k].pixels());
+              totals.add(
+                  render_block(context, options, camera, blocks[k], memory.local(), picture.image),
+                  blocks[k].pixels());
           }
         },
         tbb::simple_partitioner());
