@@ -55,7 +55,7 @@ class TriangleSheet {
 /// The triangles of a search: memory that is reused.
 class SheetScratch {
  public:
-  static constexpr std::uint32_t most = 1024;  ///< a power of 2
+  static constexpr std::uint32_t most = 4096;  ///< a power of 2
   void clear() { found_.clear(), ++stamp_; }
   /// False if the record was there.
   bool insert(TriangleSheet::Member member);

@@ -19,6 +19,10 @@ constexpr std::size_t most_of(std::size_t receivers) {
   return receivers > 16 ? 512 : receivers > 4 ? 192 : 96;
 }
 
+/// Triangles of a sheet that a proof is worth, for each sample that it saves; and from how many
+/// samples on it is worth to be asked for a single receiver.
+constexpr std::size_t sheet_a_sample = 2, samples_worth_a_sheet = 128;
+
 /// One tile; a class because all steps share these references.
 class Tile {
  public:
@@ -83,12 +87,8 @@ class Tile {
     }
     // Without triangles there are no sheets.
     const bool may_have_sheet = !scene_.sheet.is_empty() && !(list && list->triangles.count == 0);
-    Backoff& backoff = queue_.sheet[level_of(count)];
-    if (may_have_sheet && backoff.is_due()) {
-      const bool is_umbra = is_behind_sheet(sight, count);
-      backoff.note(is_umbra);
-      if (is_umbra) return all_are(first, count, ShadowClass::umbra);
-    }
+    if (may_have_sheet && tries_sheet(sight, count))
+      return all_are(first, count, ShadowClass::umbra);
     if (list && list->size() <= few) return answer_each(receivers, *list);
     const std::size_t part = (count + 3) / 4;
     for (std::size_t from = 0; from < count; from += part)
@@ -134,6 +134,14 @@ class Tile {
 
   Visibility& answer_at(std::size_t row) { return answers_[scratch_.query[row]]; }
 
+  bool tries_sheet(const SeenLight& sight, std::size_t receivers) {
+    Backoff& backoff = queue_.sheet[level_of(receivers)];
+    if (!backoff.is_due()) return false;
+    const bool is_umbra = is_behind_sheet(sight, receivers);
+    backoff.note(is_umbra);
+    return is_umbra;
+  }
+
   bool is_outline_hidden(const SeenLight& sight);
   bool is_behind_sheet(const SeenLight& sight, std::size_t receivers);
 
@@ -154,7 +162,12 @@ class Tile {
   void answer_one(std::size_t row, const CandidateList* list) {
     const SeenLight seen = seen_by_one(form_, scratch_.rows, row);
     if (!list && gather(group(row, 1), seen, most_of_one)) list = &gathered();
-    if (!list) return void(answer_at(row) = by_packets(row));
+    const bool may_have_sheet =
+        !scene_.sheet.is_empty() && samples_.pattern.size() >= samples_worth_a_sheet;
+    if (!list) {
+      const bool is_umbra = may_have_sheet && tries_sheet(seen, 1);
+      return void(answer_at(row) = is_umbra ? proven(row, ShadowClass::umbra) : by_packets(row));
+    }
     sift(*list, seen, scratch_.sifted);
     if (scratch_.sifted.cover != no_record)
       answer_at(row) = proven(row, ShadowClass::umbra);
@@ -260,8 +273,6 @@ class Tile {
   std::uint64_t above_ = 0;  // rows that see the whole light above their horizon
 };
 
-/// Triangles of a sheet that a proof is worth.
-constexpr std::size_t sheet_a_receiver = 32;
 constexpr std::uint32_t outline_rays = 8;
 
 /// Whether rays to the light's outline are all blocked: where one is not, no proof is looked for.
@@ -295,7 +306,8 @@ bool Tile::is_behind_sheet(const SeenLight& sight, std::size_t receivers) {
   if (nearest == no_record || kernel.records()[nearest].kind != ShapeKind::triangle ||
       !is_outline_hidden(sight))
     return false;
-  const auto most = static_cast<std::uint32_t>(sheet_a_receiver * receivers);
+  const auto most = static_cast<std::uint32_t>(std::min<std::size_t>(
+      sheet_a_sample * samples_.pattern.size() * receivers, SheetScratch::most));
   const auto covers = [&](std::uint32_t start) {
     return sheet_covers(scene_.sheet, kernel.records(), sight, start, most, scratch_.sheet,
                         counters_.set_tests);
