@@ -8,6 +8,7 @@
 #include "penumbra/shadow/cover.h"
 #include "penumbra/shadow/offset.h"
 #include "penumbra/shadow/shaft.h"
+#include "penumbra/shadow/spatial_order.h"
 
 namespace penumbra {
 namespace {
@@ -324,12 +325,21 @@ void answer_by_tiles(const ShadowScene& scene, std::uint32_t light,
                      SampleScratch& samples, TileScratch& scratch, ShadowCounters& counters,
                      std::span<Visibility> answers) {
   constexpr std::size_t most = ReceiverRows::most;
-  for (std::size_t first = 0; first < queries.size(); first += most) {
-    const std::size_t count = std::min(most, queries.size() - first);
-    Tile(scene, light, queries.subspan(first, count), queue, samples, scratch, counters,
-         answers.subspan(first, count))
-        .answer();
-  }
+  const auto answer = [&](std::span<const ShadowQuery> from, std::span<Visibility> to) {
+    for (std::size_t first = 0; first < from.size(); first += most) {
+      const std::size_t count = std::min(most, from.size() - first);
+      Tile(scene, light, from.subspan(first, count), queue, samples, scratch, counters,
+           to.subspan(first, count))
+          .answer();
+    }
+  };
+  if (!is_scattered(queries, most)) return answer(queries, answers);
+  order_in_space(queries, scratch.order);
+  scratch.ordered.clear();
+  for (const std::uint32_t i : scratch.order) scratch.ordered.push_back(queries[i]);
+  scratch.answers.resize(queries.size());
+  answer(scratch.ordered, scratch.answers);
+  for (std::size_t i = 0; i < queries.size(); ++i) answers[scratch.order[i]] = scratch.answers[i];
 }
 
 }  // namespace penumbra

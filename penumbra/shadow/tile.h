@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "penumbra/shadow/candidates.h"
 #include "penumbra/shadow/occluder_cache.h"
@@ -34,6 +35,10 @@ struct TileScratch {
   SiftedRows sifted_rows;
   SheetScratch sheet;
   LightSamples outline;  ///< rays to the light's outline
+  /// Of queries that are scattered (reflections on curved mirrors).
+  std::vector<std::uint32_t> order;
+  std::vector<ShadowQuery> ordered;
+  std::vector<Visibility> answers;
 };
 
 /// `visibilities` by Method::shaft, for lights with an extent. Runs of queries share a shaft; where
