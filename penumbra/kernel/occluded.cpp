@@ -85,7 +85,8 @@ void traverse(const WideTree& tree, const Packet& packet, std::uint32_t wanted,
     }
     alignas(32) float near[WideNode::width];
     const Overlap children = overlap(shaft, node, near);
-    each_ray(children.met, [&](std::uint32_t child) { prefetch(tree.nodes, tree.records, node.child[child]); });
+    each_ray(children.met,
+             [&](std::uint32_t child) { prefetch(tree.nodes, tree.records, node.child[child]); });
     each_ray(children.met, [&](std::uint32_t child) {
       const bool is_wide = population > 1 && (children.wide >> child & 1);
       const std::uint32_t left =
@@ -119,8 +120,8 @@ OccludedReport OccludedAmong(std::span<const Record> records, std::span<const st
     blocked[word] = 0;
     if (active[word] == 0) continue;
     progress.remaining = active[word];
-    test_records(records, static_cast<std::uint32_t>(list.size()), index,
-                 Packet(rays, 32 * word), active[word], progress);
+    test_records(records, static_cast<std::uint32_t>(list.size()), index, Packet(rays, 32 * word),
+                 active[word], progress);
     blocked[word] = active[word] & ~progress.remaining;
   }
   return progress.report;

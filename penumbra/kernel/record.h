@@ -11,9 +11,8 @@ namespace penumbra {
 
 /// Numbers by kind (world space):
 ///   - sphere: centre 3, radius
-///   - cone: base 3, unit axis 3, height, base radius, apex radius, slope (their difference over
-///   the
-///     height)
+///   - cone: base 3, unit axis 3, height, base radius, apex radius, slope (the radii's difference
+///     by the height)
 ///   - ring: centre 3, unit normal 3, radius, inner radius
 ///   - triangle: corners 9
 struct Record {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One ray down any hierarchy, for those who bring tests of their own.
+// Rays and shafts down any hierarchy, for those who bring tests of their own.
 #include "penumbra/kernel/kernel.h"
 #include "penumbra/kernel/traverse.h"
 
@@ -35,7 +35,8 @@ HWY_INLINE std::uint32_t above_floor(const ShaftBounds& bounds, const WideNode& 
     }
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(d, hn::Lt(height, hn::Set(d, bounds.floor)), bytes);  // NaN reaches into it
-    met |= std::uint32_t(static_cast<std::uint8_t>(~bytes[0]) & ((1u << hn::Lanes(d)) - 1)) << first;
+    met |= std::uint32_t(static_cast<std::uint8_t>(~bytes[0]) & ((1u << hn::Lanes(d)) - 1))
+           << first;
   }
   return met;
 }

@@ -5,6 +5,7 @@
 
 #include "penumbra/shadow/offset.h"
 #include "penumbra/shadow/record_hull.h"
+#include "penumbra/shadow/sight.h"
 
 namespace penumbra {
 namespace {
@@ -106,6 +107,7 @@ bool behind_triangle(const Record& record, const LightHull& light, Vec3f p) {
 }  // namespace
 
 bool surely_behind_horizon(const Record& record, const LightHull& light, Vec3f p) {
+  if (!is_in_range(record, light, p)) return false;
   switch (record.kind) {
     case ShapeKind::sphere: return behind_sphere(record, light, p);
     case ShapeKind::cone: return behind_cone(record, light, p);

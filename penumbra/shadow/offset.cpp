@@ -7,6 +7,7 @@
 #include "penumbra/geometry/separation.h"
 #include "penumbra/shadow/light_box.h"
 #include "penumbra/shadow/record_hull.h"
+#include "penumbra/shadow/sight.h"
 
 namespace penumbra {
 namespace {
@@ -92,7 +93,7 @@ bool segment_misses(const Record& record, const LightHull& light, Vec3f p, doubl
 }  // namespace
 
 bool surely_misses_offset(const Record& record, const LightHull& light, Vec3f p, double t) {
-  if (!is_finite(p)) return false;
+  if (!is_finite(p) || !is_in_range(record, light, p)) return false;
   // What is likely first: most triangles in question are neighbours of the one that p lies on.
   if (record.kind == ShapeKind::triangle)
     return surely_behind_horizon(record, light, p) || segment_misses(record, light, p, t);

@@ -29,7 +29,7 @@ void aim_at_center(const LightShape& light, Vec3f p, LightSamples& out) {
   std::fill(out.z.begin(), out.z.end(), to.z);
 }
 
-/// Cosine of each sample, and a bit for each that lies above the horizon. NaN lies below it.
+/// Cosine of each sample, and a bit for each that lies above the horizon; -1 says that it doesn't.
 std::uint32_t weigh(const Vec3f normal, SampleScratch& scratch) {
   const LightSamples& s = scratch.samples;
   scratch.weight.resize(s.x.size());
@@ -142,7 +142,6 @@ Visibility sum_up(const SampleScratch& scratch) {
   return result;
 }
 
-/// Directions to the light's samples, and which lie above the horizon; returns their number.
 std::uint32_t take_samples(const ShadowScene& scene, std::uint32_t light, const Receiver& receiver,
                            std::uint64_t key, SampleScratch& scratch) {
   const LightShape& shape = scene.lights[light];

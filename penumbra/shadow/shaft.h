@@ -13,9 +13,9 @@
 namespace penumbra {
 
 /// Gathers the records that may block an active sample of the light for any of the receivers (which
-/// lie in the scene's box); `sight` is the light as they see it. False if they are more than
-/// `most` (at most CandidateList::most): or there is no hierarchy (brute force): then the list is of no use. Adds the records looked at to
-/// `tests`.
+/// lie in the scene's box); `sight` is the light as they see it. False, and the list of no use, if
+/// they are more than `most` (at most CandidateList::most), or if there is no hierarchy to ask
+/// (brute force). Adds the records looked at to `tests`.
 bool gather_candidates(const ShadowScene& scene, std::uint32_t light, const Box& receivers,
                        const SeenLight& sight, std::size_t most, CandidateList& list,
                        std::uint64_t& tests);

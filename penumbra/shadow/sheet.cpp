@@ -36,16 +36,22 @@ TriangleSheet::TriangleSheet(const ShapeSet& shapes, std::span<const Record> rec
   }
 }
 
-bool SheetScratch::insert(TriangleSheet::Member member) {
+void SheetScratch::clear() {
+  found_.clear();
+  if (++stamp_ == 0) slots_.fill({}), stamp_ = 1;  // slots of 2^32 searches ago
+}
+
+SheetScratch::Insert SheetScratch::insert(TriangleSheet::Member member) {
   std::uint32_t at = member.record * 0x9e3779b1u >> 16;
   for (;; ++at) {
     Slot& slot = slots_[at % slots_.size()];
     if (slot.stamp != stamp_) {
-      slot = {member.record, stamp_};
+      slot = {member, stamp_};
       found_.push_back(member);
-      return true;
+      return Insert::added;
     }
-    if (slot.record == member.record) return false;
+    if (slot.member.record == member.record)
+      return slot.member.is_turned == member.is_turned ? Insert::known : Insert::contradicts;
   }
 }
 

@@ -7,7 +7,8 @@
 // covers to any of the shaft's can leave it only through its outline, beyond which the shaft does
 // not lie. This is the silhouette argument (S. Laine et al., Soft Shadow Volumes for Ray Tracing,
 // SIGGRAPH 2005: visibility changes only at silhouette edges) made local, so that nothing is asked
-// of the rest of the mesh: it may be open, dirty, or cross itself.
+// of the rest of the mesh: it may be open, dirty, or cross itself. (A record that is reached with
+// both turns, on a one-sided surface, hides a fold, and proves nothing.)
 #pragma once
 
 #include <array>
@@ -56,14 +57,16 @@ class TriangleSheet {
 class SheetScratch {
  public:
   static constexpr std::uint32_t most = 4096;  ///< a power of 2
-  void clear() { found_.clear(), ++stamp_; }
-  /// False if the record was there.
-  bool insert(TriangleSheet::Member member);
+  void clear();
+  /// Whether the record is new, or was there, turned the same way or the other.
+  enum class Insert { added, known, contradicts };
+  Insert insert(TriangleSheet::Member member);
   std::span<const TriangleSheet::Member> found() const { return found_; }
 
  private:
   struct Slot {
-    std::uint32_t record, stamp = 0;
+    TriangleSheet::Member member;
+    std::uint32_t stamp = 0;
   };
   std::array<Slot, 2 * most> slots_{};
   std::uint32_t stamp_ = 0;

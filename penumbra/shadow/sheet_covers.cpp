@@ -126,7 +126,9 @@ bool SheetCovers(const TriangleSheet& sheet, std::span<const Record> records,
         if (bits.inside[k] >> lane & 1) continue;
         const TriangleSheet::Member next = sheet.across(members[lane], k);
         if (next.record == no_record) return false;
-        if (scratch.insert(next) && scratch.found().size() > most) return false;
+        if (scratch.insert(next) == SheetScratch::Insert::contradicts ||
+            scratch.found().size() > most)
+          return false;
       }
     }
     // A group may end before its lanes are full: the next begins where this one ended.

@@ -21,7 +21,7 @@ namespace penumbra::HWY_NAMESPACE {
 /// p. Active samples rise from p by more than -3 u of their distance; hits lie within `ulps` of it.
 HWY_INLINE LaneMask below_horizon(const SightLanes& sight, Lane highest, Lane reach, float ulps) {
   const Lane all_reach = hn::Add(reach, all(2 * sight.radius));
-  return hn::Lt(hn::Add(highest, hn::Mul(all((ulps + 12) * 0x1p-24f), all_reach)),
+  return hn::Lt(hn::Add(highest, hn::Mul(all((ulps + 16) * 0x1p-24f), all_reach)),
                 all(sight.floor - tiny));
 }
 
@@ -74,8 +74,10 @@ HWY_INLINE Verdict test_spheres(const SightLanes& sight, const LaneVec& center, 
   const Lane reach = hn::Add(hn::Add(largest(v), radius), all(sight.radius));
   const Lane grown = hn::Add(radius, hn::Add(hn::Mul(all(0x1p-19f), reach), all(tiny)));
   Verdict verdict;
-  verdict.missed = hn::Or(below_horizon(sight, hn::Add(dot(v, sight.n), radius), reach, 16),
-                          misses_cone(sight, v, grown));
+  const LaneMask in_range = hn::Gt(reach, sight.least_reach);
+  verdict.missed =
+      hn::And(in_range, hn::Or(below_horizon(sight, hn::Add(dot(v, sight.n), radius), reach, 16),
+                               misses_cone(sight, v, grown)));
   verdict.covers = none();
   if (hn::AllTrue(lane_tag, verdict.missed)) return verdict;
   // Deeper than 64 ulp, and the light as far outside.
@@ -83,8 +85,8 @@ HWY_INLINE Verdict test_spheres(const SightLanes& sight, const LaneVec& center, 
   const Lane clear =
       hn::Add(hn::Add(radius, sight.size),
               hn::Add(hn::Add(margin, margin), hn::Mul(all(4 * sum_pad), sight.reach)));
-  verdict.covers = hn::And(holds_section(sight, v, hn::Sub(radius, margin)),
-                           hn::Gt(norm(sub(v, sight.way)), clear));
+  verdict.covers = hn::And(in_range, hn::And(holds_section(sight, v, hn::Sub(radius, margin)),
+                                             hn::Gt(norm(sub(v, sight.way)), clear)));
   return verdict;
 }
 
@@ -95,7 +97,8 @@ HWY_INLINE LaneMask rings_missed(const SightLanes& sight, const LaneVec& center,
   const Lane reach = hn::Add(hn::Add(largest(v), radius), all(sight.radius));
   const Lane highest = hn::Add(dot(v, sight.n), hn::Mul(radius, norm(cross(sight.n, normal))));
   const Lane grown = hn::Add(radius, hn::Add(hn::Mul(all(0x1p-19f), reach), all(tiny)));
-  return hn::Or(below_horizon(sight, highest, reach, 16), misses_cone(sight, v, grown));
+  return hn::And(hn::Gt(reach, sight.least_reach),
+                 hn::Or(below_horizon(sight, highest, reach, 16), misses_cone(sight, v, grown)));
 }
 
 /// (2) for a capsule, the points within rho of v + u e, 0 <= u <= 1. The cone around the light has
@@ -150,16 +153,16 @@ HWY_INLINE LaneMask cones_missed(const SightLanes& sight, const ConeColumn& cone
   const LaneVec v = sub(cone.base, sight.p), e = scaled(cone.axis, cone.height);
   const Lane radius = hn::Max(cone.base_radius, cone.apex_radius);
   const LaneVec top{hn::Add(v.x, e.x), hn::Add(v.y, e.y), hn::Add(v.z, e.z)};
-  const Lane reach =
-      hn::Add(hn::Max(largest(v), largest(top)), hn::Add(radius, all(sight.radius)));
+  const Lane reach = hn::Add(hn::Max(largest(v), largest(top)), hn::Add(radius, all(sight.radius)));
   // The part of the normal across the axis: how high the circles reach over their centres.
   const Lane across = norm(cross(sight.n, cone.axis));
   const Lane low = dot(v, sight.n), high = hn::Add(low, dot(e, sight.n));
   const Lane highest = hn::Max(hn::Add(low, hn::Mul(cone.base_radius, across)),
                                hn::Add(high, hn::Mul(cone.apex_radius, across)));
   const Lane grown = hn::Add(radius, hn::Add(hn::Mul(all(0x1p-18f), reach), all(tiny)));
-  return hn::Or(below_horizon(sight, highest, reach, 32),
-                capsule_misses_cone(sight, v, e, grown, reach));
+  return hn::And(hn::Gt(reach, sight.least_reach),
+                 hn::Or(below_horizon(sight, highest, reach, 32),
+                        capsule_misses_cone(sight, v, e, grown, reach)));
 }
 
 struct TriangleColumn {
@@ -176,7 +179,8 @@ HWY_INLINE LaneMask triangles_missed_by_one(const SightLanes& sight,
                         sub(triangle.corner[2], sight.p)};
   const Lane reach = max_of(largest(v[0]), largest(v[1]), largest(v[2]));
   const Lane highest = max_of(dot(v[0], sight.n), dot(v[1], sight.n), dot(v[2], sight.n));
-  const LaneMask below = below_horizon(sight, highest, reach, 64);
+  const LaneMask in_range = hn::Gt(reach, sight.least_reach);
+  const LaneMask below = hn::And(in_range, below_horizon(sight, highest, reach, 64));
   if (hn::AllTrue(lane_tag, below)) return below;
   const LaneVec e[3] = {sub(triangle.corner[1], triangle.corner[0]),
                         sub(triangle.corner[2], triangle.corner[1]),
@@ -189,8 +193,10 @@ HWY_INLINE LaneMask triangles_missed_by_one(const SightLanes& sight,
   Lane height = hn::Neg(dot(m, v[0]));  // of p, times |m|
   const Lane side = hn::CopySign(all(1.0f), height);
   m = scaled(m, side), height = hn::Abs(height);
-  const LaneMask sure_side = hn::Gt(height, hn::Max(hn::Mul(rounding, farthest), all(1e-30f)));
   const Lane m_length = norm(m);
+  const LaneMask sure_side =
+      hn::And(hn::Gt(height, hn::Max(hn::Mul(rounding, farthest), all(1e-30f))),
+              hn::Gt(m_length, all(1e-18f)));
   const Lane lowest = hn::Sub(dot(m, sight.way), sight.extent(scaled(m, all(-1.0f)), m_length));
   const Lane unsure = hn::Mul(rounding, hn::Add(farthest, sight.reach));
   const Lane hit_bound = hn::Add(hn::Mul(all(0x1p-18f), reach), all(tiny));
@@ -212,7 +218,7 @@ HWY_INLINE LaneMask triangles_missed_by_one(const SightLanes& sight,
     missed = hn::Or(missed, hn::And(hn::Gt(nearest, zero),
                                     hn::Gt(hn::Mul(out, nearest), hn::Mul(stray, out_length))));
   }
-  return hn::Or(below, hn::And(missed, sure_side));
+  return hn::Or(below, hn::And(in_range, hn::And(missed, sure_side)));
 }
 
 /// For groups: the ball around the triangle.
@@ -230,7 +236,8 @@ HWY_INLINE LaneMask triangles_missed_by_all(const SightLanes& sight,
       max_of(norm(sub(v[0], middle)), norm(sub(v[1], middle)), norm(sub(v[2], middle)));
   const Lane hits = hn::Mul(all(0x1p-17f), hn::Add(reach, all(sight.radius)));
   const Lane grown = hn::Add(hn::Add(radius, hits), all(tiny));
-  return hn::Or(below_horizon(sight, highest, reach, 64), misses_cone(sight, middle, grown));
+  return hn::And(hn::Gt(reach, sight.least_reach), hn::Or(below_horizon(sight, highest, reach, 64),
+                                                          misses_cone(sight, middle, grown)));
 }
 
 HWY_INLINE LaneMask triangles_missed(const SightLanes& sight, const TriangleColumn& triangle) {

@@ -40,6 +40,11 @@ double reach_of(const Record& record, Vec3d p) {
 
 }  // namespace
 
+bool is_in_range(const Record& record, const LightHull& light, Vec3f p) {
+  const double distance = length(light.center(p) - Vec3d(p)) + light.size();
+  return light.is_sun() || distance < 1e9 * reach_of(record, Vec3d(p));
+}
+
 double intersector_margin(const Record& record, const LightHull& light, Vec3f p) {
   const double reach = reach_of(record, Vec3d(p));
   const double distance = length(light.center(p) - Vec3d(p)) + light.size();

@@ -23,6 +23,10 @@ struct Sight {
   Vec3d to_center() const { return shaft.c - shaft.p; }
 };
 
+/// Whether float's range suffices for what the intersector computes of the record and rays from p
+/// to the light: it divides a chord by a ray's length. What is smaller than 10^-9 of that is not.
+bool is_in_range(const Record& record, const LightHull& light, Vec3f p);
+
 /// 64 ulp of the intersector: of the record's farthest box coordinate from p. NaN where float's
 /// range may not suffice for the record, p and the light: then nothing is to be proven.
 double intersector_margin(const Record& record, const LightHull& light, Vec3f p);

@@ -15,7 +15,7 @@ namespace {
 
 /// Candidates that are worth a list, and so few that receivers sift them rather than splitting
 /// their group.
-constexpr std::size_t most_of_one = 64, few = 32, many = 6;
+constexpr std::size_t most_of_one = 64, listed = 32, looked_at = 6, worth_words = 6;
 constexpr std::size_t most_of(std::size_t receivers) {
   return receivers > 16 ? 512 : receivers > 4 ? 192 : 96;
 }
@@ -90,7 +90,7 @@ class Tile {
     const bool may_have_sheet = !scene_.sheet.is_empty() && !(list && list->triangles.count == 0);
     if (may_have_sheet && tries_sheet(sight, count))
       return all_are(first, count, ShadowClass::umbra);
-    if (list && list->size() <= few) return answer_each(receivers, *list);
+    if (list && list->size() <= listed) return answer_each(receivers, *list);
     const std::size_t part = (count + 3) / 4;
     for (std::size_t from = 0; from < count; from += part)
       answer_group(first + from, std::min(part, count - from), list, level + 1);
@@ -188,7 +188,7 @@ class Tile {
   /// receiver's horizon, or hide the whole light.
   ShadowClass look_closely(std::size_t row) {
     std::vector<std::uint32_t>& few_records = scratch_.sifted.record;
-    if (few_records.size() > many || !queue_.closely.is_due()) return ShadowClass::penumbra;
+    if (few_records.size() > looked_at || !queue_.closely.is_due()) return ShadowClass::penumbra;
     const Vec3f p = queries_[scratch_.query[row]].receiver.position;
     const LightHull& light = scene_.hulls[light_];
     const std::span<const Record> records = scene_.kernel->records();
@@ -216,7 +216,7 @@ class Tile {
     const auto last = std::find(records.begin(), records.end(), queue_.record[0]);
     if (last != records.end()) std::iter_swap(last, records.begin());
     std::uint64_t rays = 0;
-    if (samples_.active.size() < 2 || records.size() < many) {
+    if (samples_.active.size() < 2 || records.size() < worth_words) {
       rays = trace_samples(*scene_.kernel, records, queue_, samples_, counters_);
       return summed(ShadowClass::penumbra, rays);
     }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <memory>
 
 #include "penumbra/kernel/kernel.h"
 #include "tests/shadow/group_trials.h"
@@ -209,6 +210,33 @@ TEST(SheetCovers, AFineBallHidesLightsWellBehindIt) {
     }
     EXPECT_EQ(proven, of) << kind;
     EXPECT_GT(proven_for_all, of * 9 / 10) << kind;
+  }
+}
+
+/// The projective plane, laid nearly flat: every edge belongs to two triangles, and seen from below
+/// only folds tell that the sheet does not go on to the shaft's outline.
+TEST(SheetCovers, AOneSidedSheetProvesNothingItDoesNotHide) {
+  Mesh mesh;
+  const float at[6][2] = {{1.58169f, -3.1072f}, {2.9647f, 2.91471f},      {-3.15569f, 1.57614f},
+                          {0.38578f, 2.11332f}, {-0.0385395f, -1.20195f}, {0.562786f, 0.108024f}};
+  for (int i = 0; i < 6; ++i) mesh.positions.push_back({at[i][0], at[i][1], i > 2 ? -0.01f : 0});
+  mesh.triangles = {{0, 1, 3}, {1, 2, 3}, {3, 2, 4}, {2, 0, 4}, {0, 1, 4},
+                    {4, 1, 5}, {1, 2, 5}, {2, 0, 5}, {5, 0, 3}, {3, 4, 5}};
+  const Sheet one_sided(mesh);
+  for (const float radius : {4.0f, 5.0f, 6.0f, 8.0f})
+    EXPECT_FALSE(covers(one_sided, BallLight{{0.303336f, 0.339835f, 10}, radius},
+                        {{{{0.303336f, 0.339835f, -10}, {0, 0, 1}}, 0}}));
+}
+
+TEST(SheetScratch, SaysWhetherARecordWasThereTurnedTheSameWay) {
+  auto scratch = std::make_unique<SheetScratch>();
+  using Insert = SheetScratch::Insert;
+  for (int search = 0; search < 3; ++search) {
+    scratch->clear();
+    EXPECT_EQ(scratch->insert({0, false}), Insert::added);
+    EXPECT_EQ(scratch->insert({0, false}), Insert::known);
+    EXPECT_EQ(scratch->insert({0, true}), Insert::contradicts);
+    EXPECT_EQ(scratch->found().size(), 1u);
   }
 }
 

@@ -278,5 +278,30 @@ TEST(Visibility, ABatchIsAnsweredLikeItsReceiversOneByOne) {
   }
 }
 
+/// The intersector leaves float's range where a sphere is some 10^-20 of the ray's length: it errs
+/// by more than it promises, so that nothing may be proven.
+TEST(Visibility, NothingIsProvenOfWhatIsTooSmallBesideTheLightsDistance) {
+  nasty::Random random(3);
+  for (int i = 0; i < 4'000; ++i) {
+    const float radius = std::pow(10.0f, random.uniform(-17, -8));
+    const float distance = std::pow(10.0f, random.uniform(1, 7.9f));
+    const Vec3f to_light(random.direction());
+    const Vec3f away = i % 2 == 0 ? to_light : Vec3f(random.direction());
+    const float off =
+        i % 3 == 0 ? random.uniform(0, 1) : 1 + std::pow(10.0f, random.uniform(-5, 0));
+    ShapeSet shapes;
+    shapes.spheres.push_back({{}, radius, 0});
+    const BallLight light{to_light * distance, distance * 1e-3f};
+    const Receiver receiver{away * (radius * off), to_light};
+    Lit judge(shapes, light, 8, Method::stochastic);
+    const Visibility expected = judge.see(receiver, 1);
+    for (const Method method : {Method::offset, Method::umbra, Method::shaft}) {
+      Lit lit(shapes, light, 8, method);
+      ASSERT_EQ(lit.see(receiver, 1).fraction, expected.fraction)
+          << static_cast<int>(method) << " radius " << radius << " distance " << distance;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace penumbra
