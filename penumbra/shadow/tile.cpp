@@ -16,6 +16,8 @@ namespace {
 /// Candidates that are worth a list, and so few that receivers sift them rather than splitting
 /// their group.
 constexpr std::size_t most_of_one = 64, listed = 32, looked_at = 6, worth_words = 6;
+/// Records that 32 samples are held against sooner than go down the hierarchy.
+constexpr std::size_t worth_list = 14;
 constexpr std::size_t most_of(std::size_t receivers) {
   return receivers > 16 ? 512 : receivers > 4 ? 192 : 96;
 }
@@ -78,12 +80,14 @@ class Tile {
     if (count == 1) return answer_one(first, parent);
     const ReceiverGroup receivers = group(first, count);
     const SeenLight sight = seen_by_all(form_, receivers);
-    if (!parent && gather(receivers, sight, most_of(count))) parent = &gathered();
+    const bool is_gathered = !parent && gather(receivers, sight, most_of(count));
+    if (is_gathered) parent = &gathered();
     CandidateList* list = nullptr;
     if (parent) {
       list = &scratch_.list[level];
       if (sift_for_all(*parent, sight, *list) != no_record)
         return all_are(first, count, ShadowClass::umbra);
+      if (is_gathered) queue_.list[level_of(count)].note(list->size() <= most_of(count) / 4);
       if (list->size() == 0) return all_are(first, count, ShadowClass::lit);
     }
     // Without triangles there are no sheets.
@@ -104,7 +108,7 @@ class Tile {
     ++counters_.set_rays;
     const bool is_list = gather_candidates(scene_, light_, receivers.bounds(), sight, most,
                                            gathered(), counters_.set_tests);
-    backoff.note(is_list);
+    if (!is_list) backoff.note(false);
     return is_list;
   }
 
@@ -162,7 +166,8 @@ class Tile {
 
   void answer_one(std::size_t row, const CandidateList* list) {
     const SeenLight seen = seen_by_one(form_, scratch_.rows, row);
-    if (!list && gather(group(row, 1), seen, most_of_one)) list = &gathered();
+    const bool is_gathered = !list && gather(group(row, 1), seen, most_of_one);
+    if (is_gathered) list = &gathered();
     const bool may_have_sheet =
         !scene_.sheet.is_empty() && samples_.pattern.size() >= samples_worth_a_sheet;
     if (!list) {
@@ -170,6 +175,7 @@ class Tile {
       return void(answer_at(row) = is_umbra ? proven(row, ShadowClass::umbra) : by_packets(row));
     }
     sift(*list, seen, scratch_.sifted);
+    if (is_gathered) queue_.list[level_of(1)].note(scratch_.sifted.record.size() <= worth_list);
     if (scratch_.sifted.cover != no_record)
       answer_at(row) = proven(row, ShadowClass::umbra);
     else if (scratch_.sifted.record.empty())
@@ -217,7 +223,9 @@ class Tile {
     if (last != records.end()) std::iter_swap(last, records.begin());
     std::uint64_t rays = 0;
     if (samples_.active.size() < 2 || records.size() < worth_words) {
-      rays = trace_samples(*scene_.kernel, records, queue_, samples_, counters_);
+      rays = records.size() > worth_list
+                 ? trace_samples(*scene_.kernel, queue_, samples_, counters_)
+                 : trace_samples(*scene_.kernel, records, queue_, samples_, counters_);
       return summed(ShadowClass::penumbra, rays);
     }
     CandidateList& list = scratch_.list[TileScratch::levels + 1];
