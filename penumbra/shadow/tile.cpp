@@ -15,11 +15,11 @@ namespace {
 
 /// Candidates that are worth a list, and so few that receivers sift them rather than splitting
 /// their group.
-constexpr std::size_t most_of_one = 64, listed = 32, looked_at = 6, worth_words = 6;
+constexpr std::size_t most_of_one = 40, listed = 32, looked_at = 6, worth_words = 6;
 /// Records that 32 samples are held against sooner than go down the hierarchy.
 constexpr std::size_t worth_list = 14;
 constexpr std::size_t most_of(std::size_t receivers) {
-  return receivers > 16 ? 512 : receivers > 4 ? 192 : 96;
+  return receivers > 16 ? 256 : receivers > 4 ? 96 : 48;
 }
 
 /// Triangles of a sheet that a proof is worth, for each sample that it saves; and from how many
