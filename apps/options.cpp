@@ -241,7 +241,7 @@ void add_read_options(CLI::App& command, ReadOptions& options) {
   add_parsed(command, "--style", "STYLE", "Molecules: ball-and-stick (default) or space-filling",
              [&options](const std::string& text) { options.style = parse_style(text); })
       ->group("Molecules");
-  command.add_flag("--waters", options.waters, "Molecules: keep the waters")->group("Molecules");
+  command.add_flag("--waters", options.waters, "Keep the waters")->group("Molecules");
 }
 
 }  // namespace penumbra

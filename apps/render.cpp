@@ -64,7 +64,7 @@ void add_shadow_options(CLI::App& app, Options& o) {
   add("--shadow-samples", "D", "Samples a point and light (default 32)", [&o](Text text) {
     o.render.shadow_samples = static_cast<std::uint32_t>(parse_count(text, 1, 65536));
   });
-  add("--verify", "N", "Ask N of the picture's answers again by stochastic; one that differs fails",
+  add("--verify", "N", "Compare N of the picture's answers with stochastic; fail if one differs",
       [&o](Text text) { o.verify = parse_count(text, 1, 1u << 30); });
   add("--light-radius", "R", "Make point and ball lights balls of this radius; N% of the extent",
       [&o](Text text) { o.wishes.complete.light_radius = parse_light_radius(text); });

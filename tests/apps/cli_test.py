@@ -156,7 +156,7 @@ class Render(CliTest):
     def test_stats_have_all_keys(self):
         self.succeed("render", "small.nff", *SMALL, "-o", "x.exr", "--stats", "s.json", "--threads", "2")
         stats = json.loads((self.folder / "s.json").read_text())
-        self.assertEqual(stats["method"], "stochastic")
+        self.assertEqual(stats["method"], "shaft")
         self.assertEqual(stats["threads"], 2)
         self.assertEqual(set(stats["seconds"]), {"load", "build", "render", "shadow"})
         self.assertEqual(set(stats["rays"]), {"primary", "reflected", "refracted", "shadow", "shadow_set"})
