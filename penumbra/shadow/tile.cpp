@@ -13,14 +13,21 @@
 namespace penumbra {
 namespace {
 
-/// Candidates that are worth a list, and so few that receivers sift them rather than splitting
-/// their group.
-constexpr std::size_t most_of_one = 40, listed = 32, looked_at = 6, worth_words = 6;
-/// Records that 32 samples are held against sooner than go down the hierarchy.
-constexpr std::size_t worth_list = 14;
+// All of these trade one cost for another (docs/performance.md); none changes an answer.
+
+/// Records that are worth gathering: for groups, and for single receivers.
 constexpr std::size_t most_of(std::size_t receivers) {
   return receivers > 16 ? 256 : receivers > 4 ? 96 : 48;
 }
+constexpr std::size_t most_of_one = 40;
+/// Candidates so few that a group is not split any more.
+constexpr std::size_t listed = 32;
+/// Candidates of one receiver so few that double precision looks at each.
+constexpr std::size_t looked_at = 6;
+/// Candidates so many that every word of samples sifts them again.
+constexpr std::size_t worth_words = 6;
+/// Candidates that 32 samples are held against sooner than go down the hierarchy.
+constexpr std::size_t worth_list = 14;
 
 /// Triangles of a sheet that a proof is worth, for each sample that it saves; and from how many
 /// samples on it is worth to be asked for a single receiver.
@@ -120,7 +127,6 @@ class Tile {
   void answer_each(const ReceiverGroup& receivers, const CandidateList& list) {
     SiftedRows& sifted = scratch_.sifted_rows;
     sift_rows(list, form_, receivers, sifted);
-
     for (std::size_t i = 0; i < receivers.count; ++i) {
       const std::size_t row = receivers.first + i;
       if (sifted.covered >> i & 1) {
