@@ -126,7 +126,8 @@ TEST(Traverse, AWalkPassesEveryRecordThatItsRayMeets) {
         return std::count(&tree.order[first], &tree.order[first] + count, i) > 0;
       };
       EXPECT_TRUE(walk(tree.nodes,
-                       Ray{rays.origin, {rays.x[0], rays.y[0], rays.z[0]}, 0, rays.t_max}, holds_it));
+                       Ray{rays.origin, {rays.x[0], rays.y[0], rays.z[0]}, 0, rays.t_max},
+                       holds_it));
     }
   });
   EXPECT_GT(met, 100);
