@@ -50,6 +50,9 @@ void add_ray_options(CLI::App& command, RenderOptions& o) {
              [&o](Text text) {
                o.samples_per_pixel = static_cast<std::uint32_t>(parse_count(text, 1, 65536));
              });
+  command.add_flag_callback(
+      "--pixel-corners", [&o] { o.pixel_point = PixelPoint::corner; },
+      "One ray goes through a pixel's upper left corner, as in the SPD, not its centre");
   add_parsed(command, "--depth", "N", "Longest path of mirrors and glass (default 5)",
              [&o](Text text) { o.depth = static_cast<std::uint32_t>(parse_count(text, 1, 64)); });
   add_parsed(command, "--seed", "N", "Of the random numbers (default 0)", [&o](Text text) {

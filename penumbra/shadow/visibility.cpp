@@ -51,7 +51,10 @@ Visibility answer(const ShadowScene& scene, std::uint32_t light, const ShadowQue
     result = {1, 1, proven};
   } else {
     if (is_above) take_samples(scene, light, receiver, query.key, scratch);
-    if (proven != ShadowClass::lit) rays = trace_samples(*scene.kernel, queue, scratch, counters);
+    if (proven != ShadowClass::lit)
+      rays = scene.rays == RayGrouping::single
+                 ? trace_singly(*scene.kernel, queue, scratch, counters)
+                 : trace_samples(*scene.kernel, queue, scratch, counters);
     result = sum_up(scratch);
     result.shadow_class = may_prove || is_doubtful ? proven : class_by_samples(scratch, result);
   }

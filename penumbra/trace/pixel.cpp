@@ -16,13 +16,14 @@ CameraRays::CameraRays(const Camera& camera, const RenderOptions& options)
       width_(options.width),
       height_(options.height),
       seed_(options.seed),
+      offset_(options.pixel_point == PixelPoint::center ? 0.5f : 0),
       pattern_(options.samples_per_pixel) {}
 
 void CameraRays::of_pixel(std::uint32_t x, std::uint32_t y, std::vector<CameraRay>& rays) const {
   const std::uint64_t pixel = pixel_key(seed_, x, y);
   const std::uint32_t count = pattern_.size();
   rays.clear();
-  std::vector<float> u(count, 0.5f), v(count, 0.5f);
+  std::vector<float> u(count, offset_), v(count, offset_);
   if (count > 1) pattern_.scramble(pixel, u, v);
   for (std::uint32_t s = 0; s < count; ++s) {
     const double right = 2 * (x + double(u[s])) / width_ - 1,

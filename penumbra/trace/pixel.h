@@ -18,8 +18,8 @@ struct CameraRay {
   std::uint64_t key;  ///< of the pixel and sample: what all random numbers behind it hang on
 };
 
-/// Camera rays of a picture. One sample goes through the pixel's centre, more follow a scrambled
-/// Sobol pattern.
+/// Camera rays of a picture. One sample goes through the pixel's `PixelPoint`, more follow a
+/// scrambled Sobol pattern.
 class CameraRays {
  public:
   CameraRays(const Camera& camera, const RenderOptions& options);
@@ -31,6 +31,7 @@ class CameraRays {
   double near_;
   std::uint32_t width_, height_;
   std::uint64_t seed_;
+  float offset_;  // of the one sample, in pixels
   SamplePattern pattern_;
 };
 

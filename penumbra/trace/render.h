@@ -30,10 +30,15 @@ struct AnsweredBatch {
   std::span<const Visibility> seen;
 };
 
+/// Where the one ray of a pixel goes: through its centre, or, as the Standard Procedural Databases have
+/// it, through its upper left corner. More samples a pixel are spread over it.
+enum class PixelPoint { center, corner };
+
 struct RenderOptions {
   std::uint32_t shadow_samples = 32;  ///< d, >= 1
   std::uint32_t width = 512, height = 512;
   std::uint32_t samples_per_pixel = 1;
+  PixelPoint pixel_point = PixelPoint::center;
   std::uint32_t depth = 5;  ///< longest path of the ray tree, the camera ray being 1
   std::uint64_t seed = 0;
   /// Edge of the square tiles threads take, in pixels, rounded up to whole blocks of `block_edge`;
