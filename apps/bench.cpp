@@ -31,11 +31,21 @@ struct Radius {
   LightRadius value;
 };
 
+/// The judge is always among them; the same method counts once.
+std::vector<Contender> contenders(std::vector<Method> wanted) {
+  wanted.push_back(Method::stochastic);
+  std::vector<Contender> methods;
+  for (const Method method : all_methods())
+    if (std::find(wanted.begin(), wanted.end(), method) != wanted.end())
+      methods.push_back({method});
+  return methods;
+}
+
 struct Options {
   std::vector<std::string> scenes;
   SceneWishes wishes;
   RenderOptions render;
-  BenchMethods methods{all_methods(), EmbreeSpheres::native};
+  BenchMethods methods{contenders(all_methods()), EmbreeSpheres::native};
   std::vector<std::uint32_t> shadow_samples{32}, threads{1};
   std::vector<std::optional<Radius>> radii{std::nullopt};
   std::optional<PixelSize> size;  ///< none: the camera's own
@@ -61,7 +71,7 @@ constexpr const char* examples =
     "methods that prove means proven (`stochastic` tells the truth of its samples); render, a "
     "whole\n"
     "picture, timed by itself; build, hierarchy and what the method prepares; MB, of both. A run\n"
-    "takes some ten times what its tables add up to: choosing Embree's fastest call, checking.\n\n"
+    "takes several times what its tables add up to: choosing Embree's fastest call, checking.\n\n"
     "Examples:\n"
     "  penumbra bench balls:4 bust --shadow-samples 32,256 --light-radius 1%,5%,15% --json b.json\n"
     "  penumbra bench city.glb --light sun 0.3 1 0.2 0.53 --methods shaft --size 256x256\n"
@@ -76,24 +86,16 @@ std::uint32_t thread_count(const std::string& text) {
   return threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
 }
 
-/// The judge is always among them; the same method counts once.
-std::vector<Method> parse_methods(const std::string& text) {
-  std::vector<Method> wanted;
-  for (const std::string& name : parse_list(text)) wanted.push_back(parse_method(name));
-  wanted.push_back(Method::stochastic);
-  std::vector<Method> methods;
-  for (const Method method : all_methods())
-    if (std::find(wanted.begin(), wanted.end(), method) != wanted.end()) methods.push_back(method);
-  return methods;
-}
-
 void add_options(CLI::App& app, Options& o) {
   using Text = const std::string&;
   const auto add = [&app](const char* name, const char* value, const char* help, auto parse) {
     add_parsed(app, name, value, help, parse);
   };
-  add("--methods", "LIST", "Such as stochastic,shaft (default: all)",
-      [&o](Text text) { o.methods.methods = parse_methods(text); });
+  add("--methods", "LIST", "Such as stochastic,shaft (default: all)", [&o](Text text) {
+    std::vector<Method> wanted;
+    for (Text name : parse_list(text)) wanted.push_back(parse_method(name));
+    o.methods.methods = contenders(std::move(wanted));
+  });
   add("--shadow-samples", "LIST", "Samples a point and light (default 32)", [&o](Text text) {
     o.shadow_samples.clear();
     for (Text part : parse_list(text)) o.shadow_samples.push_back(count(part, 1, 65536));
@@ -121,8 +123,8 @@ void add_options(CLI::App& app, Options& o) {
 }
 
 /// All cells of a scene.
-void run_scene(const Options& o, const std::string& name, std::vector<BenchCell>& cells) {
-  const Scene loaded = load_scene(name, o.wishes.read);
+void run_scene(const Options& o, const std::string& name, const Scene& loaded,
+               std::vector<BenchCell>& cells) {
   for (const std::optional<Radius>& radius : o.radii) {
     SceneOptions wishes = o.wishes.complete;
     if (radius) wishes.light_radius = radius->value;
@@ -138,7 +140,7 @@ void run_scene(const Options& o, const std::string& name, std::vector<BenchCell>
         throw Error({name, {}, {}}, "the picture shows nothing that light could fall on",
                     "turn the camera with --from and --at");
       for (const std::uint32_t d : o.shadow_samples) {
-        BenchCell cell{name, {}, threads, d, bench.work.queries.size(), {}};
+        BenchCell cell{name, {}, size, threads, d, render.seed, bench.work.queries.size(), {}};
         if (radius) cell.light_radius = radius->text;
         {
           Progress progress(fmt::format("bench {}, d = {}", name, d), ProgressWish::on_terminal);
@@ -160,7 +162,9 @@ int run(Options o) {
   if (!o.json.empty()) check_output_path(o.json);
   fmt::print("{}\n\n", machine_text());
   std::vector<BenchCell> cells;
-  for (const std::string& scene : o.scenes) run_scene(o, scene, cells);
+  std::vector<Scene> loaded;  // first of all: a wrong name should not cost the others' results
+  for (const std::string& scene : o.scenes) loaded.push_back(load_scene(scene, o.wishes.read));
+  for (std::size_t i = 0; i < loaded.size(); ++i) run_scene(o, o.scenes[i], loaded[i], cells);
   if (!o.json.empty()) write_file(o.json, to_json(cells));
   return 0;
 }

@@ -17,11 +17,20 @@
 namespace penumbra {
 namespace {
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+/// The value at a share of the way from the least to the most; between two, interpolated.
+double quantile(std::span<const double> sorted, double share) {
+  const double at = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(at);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return std::lerp(sorted[below], sorted[above], at - static_cast<double>(below));
 }
+
+Timing timing(std::vector<double> seconds) {
+  std::sort(seconds.begin(), seconds.end());
+  return {quantile(seconds, 0.5), quantile(seconds, 0.25), quantile(seconds, 0.75)};
+}
+
+double median(const std::vector<double>& seconds) { return timing(seconds).median; }
 
 /// What `make` gives; the median time of three goes, or the time of one that takes long.
 template <class Make>
@@ -104,18 +113,18 @@ struct Contestant {
   std::string name;
   const ShadowScene* shadows = nullptr;  // of a method of ours
   double build_seconds = 0;
-  std::size_t memory_bytes = 0;
+  std::size_t geometry_bytes = 0, shadow_bytes = 0;
   std::vector<MethodWorker> ours;
   std::vector<EmbreeWorker> theirs;
   std::string variant;
   double different_samples = 0;
-  ShadowCounters counters;
   std::vector<double> shadow_seconds, render_seconds;
+  RenderCounters counters;
 
   double answer(const ShadowWork& work, std::span<Visibility> seen) {
     const WorkDone done = shadows ? answer_all(work, std::span(ours), seen)
                                   : answer_all(work, std::span(theirs), seen);
-    counters = done.counters;
+    counters.shadow = done.counters;
     return done.seconds;
   }
 };
@@ -164,8 +173,10 @@ class Race {
         one.shadow_seconds.push_back(one.answer(bench_.work, {}));
       });
       each_in_turn(round, [&](Contestant& one) {
-        if (one.shadows)
-          one.render_seconds.push_back(render(bench_.scene, *one.shadows, options_).seconds.render);
+        if (!one.shadows) return;
+        const Picture picture = render(bench_.scene, *one.shadows, options_);
+        one.render_seconds.push_back(picture.seconds.render);
+        one.counters = picture.counters;
       });
     }
   }
@@ -177,12 +188,14 @@ class Race {
     const double without_shadows = std::max(0.0, median(judge.render_seconds) - shadow(judge));
     std::vector<BenchRow> rows;
     for (const Contestant& one : contestants_) {
-      const double render =
-          one.shadows ? median(one.render_seconds) : without_shadows + shadow(one);
-      rows.push_back({one.name, shadow(one), render, one.build_seconds,
+      std::vector<double> renders = one.render_seconds;
+      if (!one.shadows)
+        for (const double seconds : one.shadow_seconds)
+          renders.push_back(without_shadows + seconds);
+      rows.push_back({one.name, timing(one.shadow_seconds), timing(renders), one.build_seconds,
                       shadow(embree) / shadow(one), shadow(judge) / shadow(one),
-                      shadow(one) / shadow(embree_hard), one.counters, one.memory_bytes,
-                      one.variant, one.different_samples});
+                      shadow(one) / shadow(embree_hard), one.counters, one.geometry_bytes,
+                      one.shadow_bytes, one.variant, one.different_samples});
     }
     return rows;
   }
@@ -190,10 +203,11 @@ class Race {
  private:
   void add_ours(const ShadowScene& shadows, double seconds) {
     Contestant one;
-    one.name = name_of(shadows.method);
+    one.name = name_of(Contender{shadows.method, shadows.rays});
     one.shadows = &shadows;
     one.build_seconds = bench_.kernel_seconds + seconds;
-    one.memory_bytes = bench_.kernel.memory_bytes() + shadows.memory_bytes();
+    one.geometry_bytes = bench_.kernel.memory_bytes();
+    one.shadow_bytes = shadows.memory_bytes();
     one.ours.assign(options_.threads, MethodWorker(shadows, options_.shadow_samples));
     contestants_.push_back(std::move(one));
   }
@@ -204,7 +218,7 @@ class Race {
     Contestant one;
     one.name = name;
     one.build_seconds = bench_.embree_seconds;
-    one.memory_bytes = bench_.embree.memory_bytes();
+    one.geometry_bytes = bench_.embree.memory_bytes();
     one.theirs.assign(options_.threads,
                       EmbreeWorker(bench_.embree, variant, shadows, options_.shadow_samples));
     one.variant = name_of(variant);
@@ -219,6 +233,11 @@ class Race {
 
 }  // namespace
 
+std::string name_of(Contender contender) {
+  return std::string(name_of(contender.method)) +
+         (contender.rays == RayGrouping::single ? ", single rays" : "");
+}
+
 BenchScene::BenchScene(const Scene& scene_, const BenchMethods& wanted,
                        const RenderOptions& options_)
     : scene(scene_),
@@ -228,9 +247,11 @@ BenchScene::BenchScene(const Scene& scene_, const BenchMethods& wanted,
       embree(timed(embree_seconds, [&] { return EmbreeBaseline(casters, wanted.spheres); })),
       hard(prepare_shadows(scene, kernel, Method::hard)),
       work(record_shadow_work(scene, kernel, options)) {
-  for (const Method method : wanted.methods)
+  for (const Contender& contender : wanted.methods) {
     methods.push_back(timed(method_seconds.emplace_back(),
-                            [&] { return prepare_shadows(scene, kernel, method); }));
+                            [&] { return prepare_shadows(scene, kernel, contender.method); }));
+    methods.back().rays = contender.rays;
+  }
 }
 
 std::vector<BenchRow> measure(const BenchScene& bench, const std::string& name,

@@ -12,9 +12,19 @@
 
 namespace penumbra {
 
+/// One of our methods.
+struct Contender {
+  Method method = Method::stochastic;
+  RayGrouping rays = RayGrouping::packets;
+  friend bool operator==(const Contender&, const Contender&) = default;
+};
+
+/// "umbra", "umbra, single rays"
+std::string name_of(Contender contender);
+
 /// What is measured. `methods` hold `stochastic`.
 struct BenchMethods {
-  std::vector<Method> methods;
+  std::vector<Contender> methods;
   EmbreeSpheres spheres = EmbreeSpheres::native;
 };
 

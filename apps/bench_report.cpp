@@ -42,22 +42,26 @@ Json radius_json(const BenchCell& cell) {
 }
 
 Json row_json(const BenchCell& cell, const BenchRow& row) {
-  const ShadowCounters& n = row.counters;
+  const ShadowCounters& n = row.counters.shadow;
   return {{"scene", cell.scene},
           {"method", row.method},
           {"shadow_samples", cell.shadow_samples},
           {"light_radius", radius_json(cell)},
           {"threads", cell.threads},
-          {"seconds_shadow", row.seconds_shadow},
-          {"seconds_render", row.seconds_render},
+          {"seconds_shadow", row.shadow.median},
+          {"seconds_render", row.render.median},
           {"speedup", row.speedup},
           {"speedup_over_stochastic", row.speedup_over_stochastic},
           {"ratio_to_hard", row.ratio_to_hard},
           {"lit", share(n.lit, n)},
           {"umbra", share(n.umbra, n)},
           {"penumbra", share(n.penumbra, n)},
+          {"seconds_shadow_quartiles", {row.shadow.low, row.shadow.high}},
+          {"seconds_render_quartiles", {row.render.low, row.render.high}},
+          {"size", {cell.size.width, cell.size.height}},
+          {"seed", cell.seed},
           {"seconds_build", row.seconds_build},
-          {"memory_bytes", row.memory_bytes}};
+          {"memory_bytes", row.geometry_bytes + row.shadow_bytes}};
 }
 
 Json baseline_json(const BenchCell& cell, const BenchRow& row) {
@@ -71,13 +75,13 @@ Json baseline_json(const BenchCell& cell, const BenchRow& row) {
 }
 
 std::string row_text(const BenchRow& row) {
-  const ShadowCounters& n = row.counters;
+  const ShadowCounters& n = row.counters.shadow;
   return fmt::format(
       "  {:<12}{:>10.4f} s{:>9.2f}{:>9.2f}{:>8.2f}{:>8.1f}{:>8.1f}{:>8.1f}{:>10.3f} s{:>9.3f} "
       "s{:>9.1f}\n",
-      row.method, row.seconds_shadow, row.speedup, row.speedup_over_stochastic, row.ratio_to_hard,
-      100 * share(n.lit, n), 100 * share(n.penumbra, n), 100 * share(n.umbra, n),
-      row.seconds_render, row.seconds_build, static_cast<double>(row.memory_bytes) / 1e6);
+      row.method, row.shadow.median, row.speedup, row.speedup_over_stochastic, row.ratio_to_hard,
+      100 * share(n.lit, n), 100 * share(n.penumbra, n), 100 * share(n.umbra, n), row.render.median,
+      row.seconds_build, static_cast<double>(row.geometry_bytes + row.shadow_bytes) / 1e6);
 }
 
 }  // namespace

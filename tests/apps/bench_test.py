@@ -9,7 +9,8 @@ from cli_case import CliTest, main
 
 TINY = ["--size", "32x32", "--rounds", "2"]
 FIELDS = ["scene", "method", "shadow_samples", "light_radius", "threads", "seconds_shadow", "seconds_render", "speedup",
-          "speedup_over_stochastic", "ratio_to_hard", "lit", "umbra", "penumbra", "seconds_build", "memory_bytes"]
+          "speedup_over_stochastic", "ratio_to_hard", "lit", "umbra", "penumbra", "seconds_shadow_quartiles",
+          "seconds_render_quartiles", "size", "seed", "seconds_build", "memory_bytes"]
 BASELINES = ["embree", "embree_hard"]
 
 
