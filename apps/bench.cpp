@@ -14,6 +14,7 @@
 #include "bench_measure.h"
 #include "bench_report.h"
 #include "commands.h"
+#include "machine.h"
 #include "options.h"
 #include "penumbra/scene/error.h"
 #include "penumbra/scene_io/image_io.h"
@@ -160,7 +161,7 @@ int run(Options o) {
   finish(o.wishes);
   if (o.scenes.empty()) o.scenes = {"cylinders", "balls:4", "rings", "molecule", "bust"};
   if (!o.json.empty()) check_output_path(o.json);
-  fmt::print("{}\n\n", machine_text());
+  fmt::print("{}\n\n", to_text(this_machine()));
   std::vector<BenchCell> cells;
   std::vector<Scene> loaded;  // first of all: a wrong name should not cost the others' results
   for (const std::string& scene : o.scenes) loaded.push_back(load_scene(scene, o.wishes.read));

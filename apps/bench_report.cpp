@@ -3,12 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <thread>
 
-#include "penumbra/kernel/embree_baseline.h"
-#include "penumbra/kernel/traverse.h"
+#include "machine.h"
 
 namespace penumbra {
 namespace {
@@ -22,19 +19,15 @@ double share(std::uint64_t part, const ShadowCounters& n) {
   return all == 0 ? 0 : static_cast<double>(part) / static_cast<double>(all);
 }
 
-std::string cpu_name() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown";
-}
-
-Json machine() {
-  return {{"cpu", cpu_name()},
-          {"cores", std::thread::hardware_concurrency()},
-          {"instruction_set", instruction_set()},
-          {"embree", embree_version()},
-          {"penumbra", PENUMBRA_VERSION}};
+Json machine_json() {
+  const Machine machine = this_machine();
+  return {{"cpu", machine.cpu},
+          {"cores", std::stoi(machine.cores)},
+          {"instruction_set", machine.instruction_set},
+          {"embree", machine.embree},
+          {"penumbra", machine.version},
+          {"compiler", machine.compiler},
+          {"flags", machine.flags}};
 }
 
 Json radius_json(const BenchCell& cell) {
@@ -110,13 +103,8 @@ std::string to_json(const std::vector<BenchCell>& cells) {
       rows.push_back(row_json(cell, row));
       if (!row.variant.empty()) baselines.push_back(baseline_json(cell, row));
     }
-  const Json json = {{"machine", machine()}, {"rows", rows}, {"baselines", baselines}};
+  const Json json = {{"machine", machine_json()}, {"rows", rows}, {"baselines", baselines}};
   return json.dump(2) + "\n";
-}
-
-std::string machine_text() {
-  return fmt::format("{}, {} cores, {}; Embree {}; penumbra " PENUMBRA_VERSION, cpu_name(),
-                     std::thread::hardware_concurrency(), instruction_set(), embree_version());
 }
 
 }  // namespace penumbra

@@ -49,7 +49,4 @@ std::string to_text(const BenchCell& cell);
 /// `{"machine": ..., "rows": [...], "baselines": [...]}`
 std::string to_json(const std::vector<BenchCell>& cells);
 
-/// "AMD EPYC, 2 cores, AVX3; Embree 3.13.5"
-std::string machine_text();
-
 }  // namespace penumbra

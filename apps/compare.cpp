@@ -3,16 +3,13 @@
 
 #include <CLI/App.hpp>
 
-#include <array>
-#include <bit>
-#include <cmath>
 #include <cstdio>
-#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "commands.h"
+#include "image_difference.h"
 #include "options.h"
 #include "penumbra/scene/error.h"
 #include "penumbra/scene_io/image_io.h"
@@ -27,53 +24,6 @@ struct CompareOptions {
   bool json = false;
 };
 
-struct Difference {
-  double rmse = 0, psnr = std::numeric_limits<double>::infinity();  ///< peak 1, in dB
-  double largest = 0;
-  std::uint64_t pixels = 0;  ///< with a colour that differs
-};
-
-/// Equal bits, or NaN twice.
-bool is_same(float a, float b) {
-  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b) ||
-         (std::isnan(a) && std::isnan(b));
-}
-
-/// |a - b|; infinite where only one is NaN.
-double distance(float a, float b) {
-  if (a == b || is_same(a, b)) return 0;
-  const double difference = std::abs(double{a} - double{b});
-  return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
-}
-
-/// Pictures of the same size with all of R, G, B.
-Difference difference(const Image& a, const Image& b, std::optional<double> tolerance) {
-  const std::array names = {"R", "G", "B"};
-  std::array<const Channel*, 3> of_a{}, of_b{};
-  for (std::size_t c = 0; c < names.size(); ++c) {
-    of_a[c] = find_channel(a, names[c]);
-    of_b[c] = find_channel(b, names[c]);
-  }
-  Difference result;
-  double squares = 0;
-  const std::size_t count = std::size_t{a.width} * a.height;
-  for (std::size_t i = 0; i < count; ++i) {
-    bool differs = false;
-    for (std::size_t c = 0; c < names.size(); ++c) {
-      const float x = of_a[c]->values[i], y = of_b[c]->values[i];
-      const double gap = distance(x, y);
-      squares += gap * gap;
-      result.largest = std::max(result.largest, gap);
-      differs |= tolerance ? gap > *tolerance : !is_same(x, y);
-    }
-    result.pixels += differs;
-  }
-  const double mean = squares / (3.0 * static_cast<double>(count));
-  result.rmse = std::sqrt(mean);
-  if (mean > 0) result.psnr = -10 * std::log10(mean);
-  return result;
-}
-
 Image read_colors(const std::string& path) {
   Image image = read_image(path);
   for (const char* name : {"R", "G", "B"})
@@ -84,7 +34,7 @@ Image read_colors(const std::string& path) {
 }
 
 nlohmann::json to_json(const CompareOptions& options, const Image& a, const Image& b,
-                       const std::optional<Difference>& found, bool is_equal) {
+                       const std::optional<ImageDifference>& found, bool is_equal) {
   nlohmann::json json = {{"a", options.a},
                          {"b", options.b},
                          {"size", {a.width, a.height}},
@@ -105,7 +55,7 @@ nlohmann::json to_json(const CompareOptions& options, const Image& a, const Imag
 }
 
 void print_text(const CompareOptions& options, const Image& a, const Image& b,
-                const std::optional<Difference>& found, bool is_equal) {
+                const std::optional<ImageDifference>& found, bool is_equal) {
   if (!found) {
     fmt::print("differ: {}x{} pixels and {}x{} pixels\n", a.width, a.height, b.width, b.height);
     return;
@@ -121,7 +71,7 @@ void print_text(const CompareOptions& options, const Image& a, const Image& b,
 
 int run(const CompareOptions& options) {
   const Image a = read_colors(options.a), b = read_colors(options.b);
-  std::optional<Difference> found;
+  std::optional<ImageDifference> found;
   if (a.width == b.width && a.height == b.height) found = difference(a, b, options.tolerance);
   const bool is_equal = found && found->pixels == 0;
   if (options.json)
