@@ -26,5 +26,6 @@ Command add_info(CLI::App& program);
 Command add_generate(CLI::App& program);
 Command add_compare(CLI::App& program);
 Command add_bench(CLI::App& program);
+Command add_reproduce(CLI::App& program);
 
 }  // namespace penumbra

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Does what is planned, and keeps it.
+#pragma once
+
+#include <functional>
+
+#include "journal.h"
+#include "plan.h"
+
+namespace penumbra::reproduce {
+
+/// Measures all that the journal lacks: camera rays through pixels' corners, one thread, methods
+/// interleaved. `progress` is told the finished share of the work, estimated, and what is going on.
+/// Answers that differ from those of `stochastic` end it with an Error.
+void measure_all(const Plan& plan, Journal& journal,
+                 const std::function<void(double, const std::string&)>& progress);
+
+}  // namespace penumbra::reproduce

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "plan.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "paper.h"
+
+namespace penumbra::reproduce {
+namespace {
+
+constexpr Contender hard{Method::hard}, plain{Method::stochastic}, shaft{Method::shaft},
+    umbra{Method::umbra};
+constexpr Contender single(Method method) { return {method, RayGrouping::single}; }
+
+/// Of a stand-in, what tells that it is still the same file.
+std::string file_stamp(const std::string& name) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(name, error);
+  if (error) return name;
+  const auto time = std::filesystem::last_write_time(name, error).time_since_epoch().count();
+  return fmt::format("{} of {} bytes, {}", name, size, time);
+}
+
+std::vector<Contender> table_contenders() {
+  std::vector<Contender> all = paper_contenders();
+  for (const Contender today : {plain, umbra, shaft}) all.push_back(today);
+  return all;
+}
+
+}  // namespace
+
+std::vector<Contender> paper_contenders() {
+  return {single(Method::hard), single(Method::stochastic), single(Method::offset),
+          single(Method::reduced), single(Method::umbra)};
+}
+
+Plan make_plan(bool is_quick, const std::string& molecule_file, const std::string& bust_file) {
+  Plan p;
+  p.is_quick = is_quick;
+  p.scenes = {{{"cylinders", "0.1"},
+               {"balls:4", "0.00617284"},  // that of its smallest balls
+               {"rings", "0.05"},
+               {molecule_file.empty() ? "molecule" : molecule_file, "1%"},
+               {bust_file.empty() ? "bust" : bust_file, "1%"}}};
+  p.rounds = is_quick ? 3 : 9;
+  p.large_rounds = is_quick ? 1 : 5;
+  p.sample_scenes = {cylinders, molecule, bust, balls4};
+  p.sample_counts = {1, 8, 32, 128};
+  if (!is_quick) p.sample_counts = {1, 2, 4, 8, 16, 32, 64, 128, 256, 512};
+  p.reference_samples = is_quick ? 1024 : 4096;
+  p.beyond_scenes = {balls4, molecule, bust};
+  p.light_radii = {"1%", "5%", "20%"};
+  if (!is_quick) p.light_radii = {"0.5%", "1%", "2%", "5%", "10%", "20%", "50%"};
+  p.large_size = is_quick ? 192 : 512;
+  p.sizes = {64, 128, 256};
+  if (!is_quick) p.sizes = {64, 128, 256, 512, 1024};
+  p.size_radius = "5%";
+  const int largest = is_quick ? 5 : 6;
+  for (int n = 1; n <= largest; ++n) p.growing.push_back(fmt::format("balls:{}", n));
+  p.picture_size = is_quick ? 512 : 1024;
+  p.picture_samples = is_quick ? 16 : 64;
+  p.picture_spp = is_quick ? 4 : 16;
+  return p;
+}
+
+std::string name_of(const Plan& plan) {
+  return fmt::format("{}; {}; {}", plan.is_quick ? "quick" : "full",
+                     file_stamp(plan.scenes[molecule].scene), file_stamp(plan.scenes[bust].scene));
+}
+
+double Task::cost() const {
+  double samples = 0;
+  for (const std::uint32_t d : shadow_samples) samples += d + 16;
+  const double pixels = double(size) * size;
+  const double once = samples * pixels * (3 + double(contenders.size()) * rounds) + 5e7;
+  return once + reference_samples * pixels;
+}
+
+std::vector<Task> tasks_of(const Plan& plan) {
+  std::vector<Task> tasks;
+  const auto add = [&](const Setting& s, std::vector<Contender> contenders, std::uint32_t rounds) {
+    tasks.push_back({s.experiment,
+                     s.scene,
+                     s.light_radius,
+                     s.size,
+                     {s.shadow_samples},
+                     std::move(contenders),
+                     rounds});
+  };
+  for (const PlannedScene& scene : plan.scenes)
+    add(table_setting(scene), table_contenders(), plan.rounds);
+  for (std::size_t i = 0; i < paper_lights.size(); ++i)
+    add(table4_setting(i), table_contenders(), plan.rounds);
+  for (const PaperSceneIndex i : plan.sample_scenes) {
+    add(samples_setting(plan.scenes[i], 0),
+        {single(Method::stochastic), single(Method::reduced), single(Method::umbra), plain, shaft},
+        plan.large_rounds);
+    tasks.back().shadow_samples = plan.sample_counts;
+    tasks.back().reference_samples = plan.reference_samples;
+  }
+  const std::vector<Contender> today{plain, shaft};
+  for (const PaperSceneIndex i : plan.beyond_scenes) {
+    for (const std::string& radius : plan.light_radii)
+      add(light_setting(plan, plan.scenes[i], radius), today, plan.large_rounds);
+    for (const std::uint32_t size : plan.sizes)
+      add(size_setting(plan, plan.scenes[i], size), today, plan.large_rounds);
+  }
+  for (const std::string& scene : plan.growing)
+    add(growth_setting(plan, scene), today, plan.large_rounds);
+  return tasks;
+}
+
+Setting setting_of(const Task& task, std::uint32_t shadow_samples) {
+  return {task.experiment, task.scene, task.light_radius, task.size, shadow_samples};
+}
+
+Setting table_setting(const PlannedScene& scene) {
+  return {"tables", scene.scene, scene.light_radius, paper_size, paper_samples};
+}
+
+Setting table4_setting(std::size_t light) {
+  return {"table 4", table4_scene, fmt::format("{:.6g}", paper_lights[light].value), paper_size,
+          paper_samples};
+}
+
+Setting samples_setting(const PlannedScene& scene, std::uint32_t shadow_samples) {
+  return {"samples", scene.scene, scene.light_radius, paper_size, shadow_samples};
+}
+
+Setting light_setting(const Plan& plan, const PlannedScene& scene, const std::string& radius) {
+  return {"light", scene.scene, radius, plan.large_size, paper_samples};
+}
+
+Setting size_setting(const Plan& plan, const PlannedScene& scene, std::uint32_t size) {
+  return {"size", scene.scene, plan.size_radius, size, paper_samples};
+}
+
+Setting growth_setting(const Plan& plan, const std::string& scene) {
+  return {"growth", scene, plan.size_radius, plan.large_size, paper_samples};
+}
+
+}  // namespace penumbra::reproduce
