@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// What the paper says of its measurements, held against ours.
+#pragma once
+
+#include "report.h"
+#include "results.h"
+
+namespace penumbra::reproduce {
+
+struct Claims {
+  Table table;
+  std::vector<std::string> reasons;  ///< why those don't hold that don't
+};
+
+Claims check_claims(const Results& results);
+
+}  // namespace penumbra::reproduce

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "paper_tables.h"
+
+#include <fmt/format.h>
+
+#include <functional>
+
+#include "paper.h"
+
+namespace penumbra::reproduce {
+namespace {
+
+constexpr Contender plain{Method::stochastic, RayGrouping::single};
+
+constexpr std::array all_scenes{cylinders, balls4, rings, molecule, bust};
+
+bool is_built_in(const Plan& plan, PaperSceneIndex scene) {
+  return title_of(plan, scene) == paper_scenes[scene].title;
+}
+
+std::vector<std::string> scene_titles(const Plan& plan) {
+  std::vector<std::string> titles;
+  for (const PaperSceneIndex scene : all_scenes) titles.push_back(title_of(plan, scene));
+  return titles;
+}
+
+/// A row of one cell a scene; the paper's figures stand only beside the scene they were made with.
+Row scene_row(const Results& results, std::string label,
+              const std::function<Cell(const Setting&, const PaperScene&)>& cell) {
+  Row row{std::move(label), {}, false};
+  for (const PaperSceneIndex scene : all_scenes) {
+    row.cells.push_back(cell(table_setting(results.plan.scenes[scene]), paper_scenes[scene]));
+    if (!is_built_in(results.plan, scene)) row.cells.back().paper.clear();
+  }
+  return row;
+}
+
+/// Time over that of (b).
+Cell relative_time(const Results& results, const Setting& setting, const Measurement& m) {
+  const double whole = results.of(setting, plain).row.render.median;
+  return {rounded(m.row.render.median / whole), {}, with_spread(m.row.render)};
+}
+
+std::string text_of(const std::optional<std::uint64_t>& printed) {
+  return printed ? grouped(*printed) : std::string();
+}
+
+double tests_a_ray(const RenderCounters& n) {
+  const std::uint64_t rays = n.primary + n.reflected + n.refracted + n.shadow.rays;
+  return rays == 0
+             ? 0
+             : static_cast<double>(n.closest_tests + n.shadow.tests) / static_cast<double>(rays);
+}
+
+double set_tests_a_ray(const ShadowCounters& n) {
+  return n.set_rays == 0 ? 0 : static_cast<double>(n.set_tests) / static_cast<double>(n.set_rays);
+}
+
+}  // namespace
+
+Table run_times(const Results& results) {
+  Table table{"table1",
+              "Table 1: run times",
+              "Time of a whole picture over that of (b), 128 × 128 pixels, d = 32, one thread; "
+              "in small print the time itself. (a) to (e) trace ray by ray, as in 1998.",
+              "variant",
+              scene_titles(results.plan),
+              {}};
+  for (const Variant& variant : variants()) {
+    if (variant.is_beyond && !table.rows.back().is_beyond) {
+      table.rows.push_back(
+          scene_row(results, "best of (c) to (e)", [&](const Setting& s, const PaperScene& paper) {
+            Cell cell = relative_time(results, s, best_proof(results, s));
+            cell.paper = fmt::format("{} ({} s)", rounded(paper.seconds_best / paper.seconds_plain),
+                                     paper.seconds_best);
+            return cell;
+          }));
+    }
+    table.rows.push_back(
+        scene_row(results, variant.label, [&](const Setting& s, const PaperScene& paper) {
+          Cell cell = relative_time(results, s, results.of(s, variant.method));
+          if (variant.method == name_of(plain))
+            cell.paper = fmt::format("1 ({} s)", paper.seconds_plain);
+          return cell;
+        }));
+    table.rows.back().is_beyond = variant.is_beyond;
+  }
+  return table;
+}
+
+Table rays_traced(const Results& results) {
+  Table table{"table2",
+              "Table 2: objects, lights, rays",
+              "A quad counts as two triangles, lights do not count. Shadow rays are those traced "
+              "after the occluder cache had its say.",
+              "",
+              scene_titles(results.plan),
+              {}};
+  const auto add = [&](const char* label, auto number) {
+    table.rows.push_back(scene_row(results, label, [&](const Setting& s, const PaperScene& paper) {
+      return number(results.of(s, plain), paper);
+    }));
+  };
+  add("objects", [](const Measurement& m, const PaperScene& paper) {
+    return Cell{grouped(m.objects), grouped(paper.objects), {}};
+  });
+  add("lights", [](const Measurement& m, const PaperScene&) {
+    return Cell{grouped(m.lights), {}, {}};
+  });
+  add("primary rays", [](const Measurement& m, const PaperScene&) {
+    return Cell{grouped(m.row.counters.primary), grouped(paper_primary_rays), {}};
+  });
+  add("reflected rays", [](const Measurement& m, const PaperScene& paper) {
+    return Cell{grouped(m.row.counters.reflected), text_of(paper.reflected), {}};
+  });
+  for (const Variant& variant : variants()) {
+    if (variant.method == embree) continue;  // traces what plain packets trace
+    table.rows.push_back(scene_row(
+        results, "shadow rays, " + variant.label, [&](const Setting& s, const PaperScene& paper) {
+          Cell cell{grouped(results.of(s, variant.method).row.counters.shadow.rays), {}, {}};
+          if (variant.label.starts_with("(a)")) cell.paper = text_of(paper.shadow_rays_hard);
+          if (variant.label.starts_with("(b)")) cell.paper = grouped(paper.shadow_rays_plain);
+          if (variant.label.starts_with("(e)"))
+            cell.paper = grouped(paper.shadow_rays_best) + " (best variant)";
+          return cell;
+        }));
+    table.rows.back().is_beyond = variant.is_beyond;
+  }
+  return table;
+}
+
+Table tests_per_ray(const Results& results) {
+  Table table{"table2b",
+              "Table 2: intersection tests a ray",
+              "I_geom: primitives tested a ray in the geometry set, all rays together. I_shadow: "
+              "grown occluders tested a ray in the shadow set; of shaft, records gathered a query. "
+              "Hierarchies differ, so these compare among our rows alone.",
+              "",
+              scene_titles(results.plan),
+              {}};
+  const auto add = [&](const Variant& variant, const char* name, auto number) {
+    table.rows.push_back(scene_row(results, fmt::format("{}, {}", name, variant.label),
+                                   [&](const Setting& s, const PaperScene&) {
+                                     const RenderCounters& n =
+                                         results.of(s, variant.method).row.counters;
+                                     return Cell{fmt::format("{:.2f}", number(n)), {}, {}};
+                                   }));
+    table.rows.back().is_beyond = variant.is_beyond;
+  };
+  for (const bool is_beyond : {false, true})
+    for (const Variant& variant : variants()) {
+      if (variant.is_beyond != is_beyond || variant.method == embree) continue;
+      add(variant, "I_geom", tests_a_ray);
+      const Setting any = table_setting(results.plan.scenes[balls4]);
+      if (results.of(any, variant.method).row.counters.shadow.set_rays > 0)
+        add(variant, "I_shadow", [](const RenderCounters& n) { return set_tests_a_ray(n.shadow); });
+    }
+  return table;
+}
+
+Table memory_taken(const Results& results) {
+  Table table{"table3",
+              "Table 3: memory",
+              "Over that of (b), which has the geometry set alone; in small print megabytes. The "
+              "paper gives an upper bound in its text.",
+              "variant",
+              scene_titles(results.plan),
+              {}};
+  for (const Variant& variant : variants()) {
+    if (variant.method == name_of(Contender{Method::umbra})) continue;  // as with single rays
+    table.rows.push_back(
+        scene_row(results, variant.label, [&](const Setting& s, const PaperScene&) {
+          const BenchRow& row = results.of(s, variant.method).row;
+          const auto bytes = static_cast<double>(row.geometry_bytes + row.shadow_bytes);
+          const auto geometry = static_cast<double>(results.of(s, plain).row.geometry_bytes);
+          return Cell{fmt::format("{:.2f}", bytes / geometry),
+                      variant.label.starts_with("(e)") ? fmt::format("≤ {}", paper_most_memory)
+                                                       : std::string(),
+                      rounded(bytes / 1e6) + " MB"};
+        }));
+    table.rows.back().is_beyond = variant.is_beyond;
+  }
+  return table;
+}
+
+Table light_sizes(const Results& results) {
+  Table table{"table4",
+              "Table 4: light sizes",
+              "Balls3, 822 objects: time over that of (b), for lights as large as each of the "
+              "scene's four sizes of balls.",
+              "variant",
+              {},
+              {}};
+  for (const PaperLight& light : paper_lights)
+    table.columns.push_back(fmt::format("r = {}", light.radius));
+  const auto add = [&](const std::string& label, bool is_beyond, auto measured) {
+    Row row{label, {}, is_beyond};
+    for (std::size_t i = 0; i < paper_lights.size(); ++i)
+      row.cells.push_back(relative_time(results, table4_setting(i), measured(table4_setting(i))));
+    table.rows.push_back(std::move(row));
+  };
+  for (const Variant& variant : variants()) {
+    if (variant.is_beyond && !table.rows.back().is_beyond) {
+      add("best of (c) to (e)", false, [&](const Setting& s) { return best_proof(results, s); });
+      for (std::size_t i = 0; i < paper_lights.size(); ++i)
+        if (paper_lights[i].speedup)
+          table.rows.back().cells[i].paper = rounded(1 / *paper_lights[i].speedup);
+    }
+    add(variant.label, variant.is_beyond,
+        [&](const Setting& s) { return results.of(s, variant.method); });
+  }
+  return table;
+}
+
+}  // namespace penumbra::reproduce
