@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "page_style.h"
 
+#include <fmt/format.h>
+
+#include <string_view>
+
 namespace penumbra::reproduce {
 namespace {
 
@@ -88,7 +92,7 @@ thead th {
   border-block: 1.5px solid var(--strong-rule) ; border-bottom-width: 1px; vertical-align: bottom;
   font-weight: 600; line-height: 1.3;
 }
-tbody th { font-weight: 400; }
+tbody th { min-width: 7rem; font-weight: 400; overflow-wrap: anywhere; }
 tbody tr + tr { border-top: 1px solid var(--rule); }
 table > tbody:last-child { border-bottom: 1.5px solid var(--strong-rule); }
 td span, td small { display: block; white-space: nowrap; }
@@ -98,31 +102,27 @@ td small { color: var(--soft); font-size: 0.75rem; }
   padding-bottom: 0; color: var(--soft); font-size: 0.75rem; font-weight: 600; text-align: left;
 }
 .beyond .divider + tr { border-top: 0; }
-@media (max-width: 62rem) { table.many td span, table.many td small { white-space: normal; } }
-@media (max-width: 44rem) {
-  table.few { width: 100%; }
-  table.some, .some tbody, .some tr, .some th, .some td, .some caption,
-  table.many, .many tbody, .many tr, .many th, .many td, .many caption { display: block; }
-  table.some, table.many { font-size: 0.875rem; }
-  .some thead, .many thead {
+)css";
+
+/// On narrow screens each row is a card, each cell a line of it. KIND is a class of tables.
+constexpr const char* card_style = R"css(
+  table.KIND, .KIND tbody, .KIND tr, .KIND th, .KIND td, .KIND caption { display: block; }
+  table.KIND { font-size: 0.875rem; }
+  .KIND thead {
     position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%);
   }
-  .some tbody tr, .many tbody tr { padding: 0.7rem 0; border-top: 1px solid var(--strong-rule); }
-  .some tbody:not(.beyond) th, .many tbody:not(.beyond) th { padding-left: 0; }
-  .some tbody:not(.beyond) td, .many tbody:not(.beyond) td { padding-inline: 0; }
-  .some th, .many th { padding-block: 0 0.25rem; font-weight: 650; }
-  table.some td, table.many td {
-    display: flex; justify-content: space-between; gap: 1rem; padding-block: 0.2rem;
+  .KIND tbody tr { padding: 0.7rem 0; border-top: 1px solid var(--strong-rule); }
+  .KIND tbody th { padding: 0 0 0.25rem; font-weight: 650; }
+  table.KIND td {
+    display: flex; justify-content: space-between; gap: 1rem; padding: 0.2rem 0;
   }
-  table.some .beyond tr > *, table.many .beyond tr > * { padding-inline: 0.6rem; }
-  td::before { flex: 0 1 auto; min-width: 0; content: attr(data-label); color: var(--soft); }
-  .some td > div, .many td > div { flex: 0 0 auto; max-width: 62%; }
-  .some td span, .some td small, .many td span, .many td small { white-space: normal; }
-  table.some .none, table.many .none { display: none; }
-  .few td::before { content: none; }
-  .beyond tr.divider { padding-bottom: 0; }
-  .some .beyond .divider + tr, .many .beyond .divider + tr { padding-top: 0.35rem; border-top: 0; }
-}
+  .KIND td::before { min-width: 0; content: attr(data-label); color: var(--soft); }
+  .KIND td > div { flex: 0 0 auto; max-width: 62%; }
+  .KIND td span, .KIND td small { white-space: normal; }
+  table.KIND .none { display: none; }
+  table.KIND .beyond tr > * { padding-inline: 0.6rem; }
+  .KIND .beyond tr.divider { padding-bottom: 0; }
+  .KIND .beyond .divider + tr { padding-top: 0.35rem; border-top: 0; }
 )css";
 
 constexpr const char* figure_style = R"css(
@@ -173,10 +173,19 @@ constexpr const char* print_style = R"css(
 }
 )css";
 
+std::string cards(std::string_view kind, int most_rem) {
+  constexpr std::string_view name = "KIND";
+  std::string rules = card_style;
+  for (auto at = rules.find(name); at != rules.npos; at = rules.find(name, at))
+    rules.replace(at, name.size(), kind);
+  return fmt::format("@media (max-width: {}rem) {{{}}}\n", most_rem, rules);
+}
+
 }  // namespace
 
 std::string page_style() {
-  return std::string(text_style) + table_style + figure_style + print_style;
+  return text_style + std::string(table_style) + cards("some", 44) + cards("many", 60) +
+         figure_style + print_style;
 }
 
 }  // namespace penumbra::reproduce

@@ -33,8 +33,8 @@ constexpr std::array<Pen, 8> pens = {{{"#0072B2", 7},
 std::string quoted(const std::string& text) {
   std::string result = "'";
   for (char c : text) {
-    if (c == '\'') result += '\'';
-    result += static_cast<unsigned char>(c) < 32 ? ' ' : c == '`' ? '"' : c;
+    if (c == '\'' || c == '`') result += '\'';
+    result += static_cast<unsigned char>(c) < 32 ? ' ' : c == '`' ? '\'' : c;
   }
   return result + '\'';
 }
@@ -98,7 +98,7 @@ void add(const Curve& curve, const Axes& axes, Drawing& drawing) {
   const Pen pen = pens[static_cast<std::size_t>(curve.color) % pens.size()];
   const std::string points = point_lines(curve, axes);
   const std::string title = "title " + quoted(curve.name);
-  const std::string dots = fmt::format("lc rgb '{}' lw 1.5 pt {} ps 0.8", pen.color, pen.point);
+  const std::string dots = fmt::format("lc rgb '{}' lw 1.5 pt {} ps 1", pen.color, pen.point);
   const bool is_fitted = curve.kind == CurveKind::fitted;
   drawing.items.push_back(fmt::format("keyentry with linespoints {} {}", dots, title));
   if (const std::string fit = fit_lines(curve.fit, axes); is_fitted && !fit.empty()) {
@@ -132,8 +132,8 @@ std::string script_of(const Plot& plot, const std::string& terminal) {
                      "set tics nomirror out scale 0.8 textcolor rgb '#222222'\n"
                      "set grid back lt 1 lc rgb '#dddddd' lw 0.8\n"
                      "set errorbars small\n"
-                     "set key bmargin center horizontal Left reverse noenhanced samplen 2.5 "
-                     "width 1 autotitle\nset key noautotitle\n";
+                     "set key tmargin left horizontal Left reverse noenhanced samplen 2.5 "
+                     "noautotitle\n";
   text += axis_commands('x', axes.x, plot.x_label) + axis_commands('y', axes.y, plot.y_label);
   return text + drawing.data + fmt::format("plot {}\n", fmt::join(drawing.items, ", \\\n  "));
 }
