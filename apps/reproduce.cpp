@@ -4,13 +4,26 @@
 #include <CLI/App.hpp>
 
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "commands.h"
 #include "penumbra/scene/error.h"
+#include "penumbra/scene_io/image_io.h"
+#include "penumbra/scene_io/write_scene.h"
 #include "progress.h"
+#include "reproduce/evaluation.h"
+#include "reproduce/gnuplot.h"
 #include "reproduce/measure.h"
+#include "reproduce/page.h"
+#include "reproduce/pictures.h"
+#include "reproduce/plots.h"
+#include "reproduce/tables_text.h"
+#include "scene_argument.h"
 
 namespace penumbra {
 namespace {
@@ -22,20 +35,56 @@ struct Options {
   bool is_quick = false, always_progress = false;
 };
 
+/// Writes the page and all that it links to but the pictures.
+void write_report(const reproduce::Report& report, const fs::path& folder) {
+  std::map<std::string, std::string> svg_by_plot_id;
+  for (const reproduce::Section& section : report.sections) {
+    for (const reproduce::Table& table : section.tables)
+      write_file(folder / (table.id + ".csv"), to_csv(table));
+    for (const reproduce::Plot& plot : section.plots) {
+      reproduce::PlotFiles files = draw(plot);
+      write_file(folder / (plot.id + ".csv"), to_csv(plot));
+      write_file(folder / (plot.id + ".svg"), files.svg);
+      write_file(folder / (plot.id + ".png"), files.png);
+      svg_by_plot_id[plot.id] = std::move(files.svg);
+    }
+  }
+  write_file(folder / "tables.md", to_markdown(report));
+  write_file(folder / "index.html", to_html(report, svg_by_plot_id));
+}
+
 int run(const Options& o) {
+  const fs::path folder = o.output;
   std::error_code error;
-  fs::create_directories(o.output, error);
+  fs::create_directories(folder, error);
   if (error)
     throw Error({o.output, {}, {}}, "cannot be made a folder: " + error.message(),
                 "choose another with -o");
+  check_output_path(folder / "index.html");
+  reproduce::check_gnuplot();
+  for (const std::string& file : {o.molecule, o.bust})
+    if (!file.empty()) load_scene(file, {});  // a wrong name should not cost an hour
+
+  const Machine machine = this_machine();
   const reproduce::Plan plan = reproduce::make_plan(o.is_quick, o.molecule, o.bust);
-  reproduce::Journal journal(fs::path(o.output) / "measurements.csv", this_machine(),
-                             name_of(plan));
+  reproduce::Journal journal(folder / "measurements.csv", machine, name_of(plan));
+  if (journal.dropped() > 0)
+    fmt::print(
+        stderr,
+        "{}: {} rows are of another machine, version or kind of run, and are measured anew\n",
+        (folder / "measurements.csv").string(), journal.dropped());
+  const auto wish = o.always_progress ? ProgressWish::always : ProgressWish::on_terminal;
   {
-    Progress progress("measuring",
-                      o.always_progress ? ProgressWish::always : ProgressWish::on_terminal);
-    measure_all(plan, journal, [&](double share, const std::string&) { progress.update(share); });
+    Progress progress("measuring", wish);
+    measure_all(plan, journal, [&](double share) { progress.update(share); });
   }
+  std::vector<reproduce::Gallery> pictures;
+  {
+    Progress progress("drawing", wish);
+    pictures = draw_pictures(plan, folder, [&](double share) { progress.update(share); });
+  }
+  write_report(evaluate({plan, journal}, machine, std::move(pictures)), folder);
+  fmt::print("{}\n", (folder / "index.html").string());
   return 0;
 }
 

@@ -102,8 +102,7 @@ void run(const Task& task, const Scene& loaded, Journal& journal, const Tell& te
 
 }  // namespace
 
-void measure_all(const Plan& plan, Journal& journal,
-                 const std::function<void(double, const std::string&)>& progress) {
+void measure_all(const Plan& plan, Journal& journal, const std::function<void(double)>& progress) {
   std::vector<Task> tasks;
   double all = 0, done = 0;
   for (const Task& task : tasks_of(plan)) {
@@ -115,10 +114,8 @@ void measure_all(const Plan& plan, Journal& journal,
     if (task.shadow_samples.empty()) continue;
     auto [scene, is_new] = scenes.try_emplace(task.scene);
     if (is_new) scene->second = load_scene(task.scene, {});
-    const std::string what =
-        fmt::format("{} {}, {} pixels", task.scene, task.light_radius, task.size);
     run(task, scene->second, journal,
-        [&](double share) { progress((done + share * task.cost()) / all, what); });
+        [&](double share) { progress((done + share * task.cost()) / all); });
     done += task.cost();
   }
 }

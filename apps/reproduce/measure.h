@@ -10,9 +10,8 @@
 namespace penumbra::reproduce {
 
 /// Measures all that the journal lacks: camera rays through pixels' corners, one thread, methods
-/// interleaved. `progress` is told the finished share of the work, estimated, and what is going on.
-/// Answers that differ from those of `stochastic` end it with an Error.
-void measure_all(const Plan& plan, Journal& journal,
-                 const std::function<void(double, const std::string&)>& progress);
+/// interleaved. `progress` is told the finished share of the work, estimated. Answers that differ
+/// from those of `stochastic` end it with an Error.
+void measure_all(const Plan& plan, Journal& journal, const std::function<void(double)>& progress);
 
 }  // namespace penumbra::reproduce

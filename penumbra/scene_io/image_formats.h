@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "penumbra/scene/image.h"
 
@@ -16,6 +17,11 @@ std::string to_png(const std::filesystem::path& name, const Image& image, float 
 Image from_png(const std::filesystem::path& name, std::string_view bytes);
 std::string to_exr(const std::filesystem::path& name, const Image& image);
 Image from_exr(const std::filesystem::path& name, std::string_view bytes);
+
+/// Three bytes (sRGB codes) a pixel, rows from top to bottom, of R, G and B times 2^exposure_ev.
+/// Throws Error where one of them is missing.
+std::vector<std::uint8_t> srgb_codes(const std::filesystem::path& name, const Image& image,
+                                     float exposure_ev);
 
 /// Throws Error where a header claims more than 2^28 pixels, none, or more raw bytes than `stored`
 /// bytes can unpack to. Call it before allocating.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 
 #include "penumbra/scene/error.h"
@@ -74,6 +75,24 @@ void check_picture_size(const std::filesystem::path& name, std::uint64_t width,
         {name.string(), {}, {}},
         fmt::format("claims {}x{} pixels, which {} bytes cannot hold", width, height, stored),
         "the file is damaged or cut short; make it again");
+}
+
+std::vector<std::uint8_t> srgb_codes(const std::filesystem::path& name, const Image& image,
+                                     float exposure_ev) {
+  const std::size_t count = std::size_t{image.width} * image.height;
+  const float scale = std::exp2(exposure_ev);
+  std::vector<std::uint8_t> codes(3 * count);
+  int color = 0;
+  for (const char* channel_name : {"R", "G", "B"}) {
+    const Channel* channel = find_channel(image, channel_name);
+    if (!channel || channel->values.size() != count)
+      throw Error({name.string(), {}, {}}, "a PNG or JPEG needs the channels R, G and B",
+                  "write these as .exr");
+    for (std::size_t i = 0; i < count; ++i)
+      codes[3 * i + color] = srgb_from_linear(channel->values[i] * scale);
+    ++color;
+  }
+  return codes;
 }
 
 Image read_image(const std::filesystem::path& path) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <csetjmp>
 #include <cstring>
 #include <vector>
@@ -87,24 +86,6 @@ bool survives(png_structp png, const Step& step) {
   throw Error({name.string(), {}, {}}, what + " (" + stream.message.data() + ")", hint);
 }
 
-std::vector<png_byte> srgb_pixels(const std::filesystem::path& name, const Image& image,
-                                  float exposure_ev) {
-  const std::size_t count = std::size_t{image.width} * image.height;
-  const float scale = std::exp2(exposure_ev);
-  std::vector<png_byte> pixels(3 * count);
-  int color = 0;
-  for (const char* channel_name : {"R", "G", "B"}) {
-    const Channel* channel = find_channel(image, channel_name);
-    if (!channel || channel->values.size() != count)
-      throw Error({name.string(), {}, {}}, "a PNG needs the channels R, G and B",
-                  "write these as .exr");
-    for (std::size_t i = 0; i < count; ++i)
-      pixels[3 * i + color] = srgb_from_linear(channel->values[i] * scale);
-    ++color;
-  }
-  return pixels;
-}
-
 /// Rows of an array of pixels, in the form libpng takes.
 std::vector<png_bytep> rows_of(std::vector<png_byte>& pixels, std::size_t height) {
   std::vector<png_bytep> rows(height);
@@ -180,7 +161,7 @@ Image to_image(const Layout& layout, const std::vector<png_byte>& pixels) {
 }  // namespace
 
 std::string to_png(const std::filesystem::path& name, const Image& image, float exposure_ev) {
-  std::vector<png_byte> pixels = srgb_pixels(name, image, exposure_ev);
+  std::vector<png_byte> pixels = srgb_codes(name, image, exposure_ev);
   const std::vector<png_bytep> rows = rows_of(pixels, image.height);
   const std::vector<png_text> texts = text_chunks(image);
   std::string bytes;

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "pictures.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+
+#include "../scene_argument.h"
+#include "class_map.h"
+#include "paper.h"
+#include "penumbra/scene/complete_scene.h"
+#include "penumbra/scene_io/image_formats.h"
+#include "penumbra/scene_io/jpeg_io.h"
+#include "penumbra/scene_io/write_scene.h"
+#include "penumbra/trace/prepare.h"
+#include "results.h"
+
+namespace penumbra::reproduce {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int jpeg_quality = 90;
+
+/// The share of the (point, light) pairs that are decided without samples.
+double decided(const ShadowCounters& n) {
+  const auto all = static_cast<double>(n.lit + n.penumbra + n.umbra);
+  return all == 0 ? 0 : 100 * static_cast<double>(n.lit + n.umbra) / all;
+}
+
+/// One scene's pictures.
+class Painter {
+ public:
+  Painter(const Plan& plan, PaperSceneIndex scene, fs::path folder)
+      : plan_(plan),
+        folder_(std::move(folder)),
+        stem_(fmt::format("figure{}", 9 + static_cast<int>(scene))),
+        scene_(complete_scene(load_scene(plan.scenes[scene].scene, {}), {})),
+        kernel_(scene_.shapes, kernel_options(scene_)) {
+    options_.width = options_.height = plan.picture_size;
+    options_.shadow_samples = plan.picture_samples;
+  }
+
+  View picture() const {
+    RenderOptions options = options_;
+    options.samples_per_pixel = plan_.picture_spp;
+    const Image image = render(scene_, prepared(Method::shaft), options).image;
+    const std::string file = stem_ + ".png";
+    write_file(folder_ / file, to_png(file, image, 0));
+    return {"picture", file, "image/jpeg", encode_jpeg(image, jpeg_quality)};
+  }
+
+  /// `share` gets the decided share.
+  View map(const char* name, Method method, double& share) const {
+    RenderOptions options = options_;
+    options.aovs = {Aov::light_class};
+    const Picture picture = render(scene_, prepared(method), options);
+    share = decided(picture.counters.shadow);
+    const std::string file = fmt::format("{}-{}.png", stem_, name_of(method));
+    const std::string bytes = to_png(file, class_map(picture.image), 0);
+    write_file(folder_ / file, bytes);
+    return {name, file, "image/png", bytes};
+  }
+
+ private:
+  ShadowScene prepared(Method method) const { return prepare_shadows(scene_, kernel_, method); }
+
+  const Plan& plan_;
+  fs::path folder_;
+  std::string stem_;
+  Scene scene_;
+  Kernel kernel_;
+  RenderOptions options_;
+};
+
+}  // namespace
+
+std::vector<Gallery> draw_pictures(const Plan& plan, const fs::path& folder,
+                                   const std::function<void(double)>& progress) {
+  std::vector<Gallery> galleries;
+  for (const PaperSceneIndex scene : {cylinders, balls4, rings, molecule, bust}) {
+    progress(static_cast<double>(scene) / static_cast<double>(plan.scenes.size()));
+    const Painter painter(plan, scene, folder);
+    double truth = 0, umbra = 0, shaft = 0;
+    Gallery gallery{fmt::format("figure{}", 9 + static_cast<int>(scene)), {}, {}, {}};
+    gallery.views.push_back(painter.picture());
+    gallery.views.push_back(painter.map("classes by samples", Method::stochastic, truth));
+    gallery.views.push_back(painter.map("proven by umbra (e)", Method::umbra, umbra));
+    gallery.views.push_back(painter.map("proven by shaft", Method::shaft, shaft));
+    gallery.title =
+        fmt::format("Figure {}: {}", 9 + static_cast<int>(scene), title_of(plan, scene));
+    gallery.text = fmt::format(
+        "Decided without samples: {:.1f} % by umbra, {:.1f} % by shaft; wholly lit or wholly dark "
+        "by the samples: {:.1f} %.",
+        umbra, shaft, truth);
+    galleries.push_back(std::move(gallery));
+  }
+  progress(1);
+  return galleries;
+}
+
+}  // namespace penumbra::reproduce
