@@ -99,9 +99,9 @@ Plot growth(const Results& results) {
             true,
             {}};
   const std::vector<std::pair<const char*, std::string>> methods{
-      {"stochastic, packets", name_of(Contender{Method::stochastic})},
+      {"(b) packets", name_of(Contender{Method::stochastic})},
       {"shaft", shaft},
-      {"Embree packets", embree},
+      {"Embree", embree},
       {"Embree, one ray", embree_hard}};
   int color = 3;  // those of the plots against d
   for (const auto& [name, method] : methods) {

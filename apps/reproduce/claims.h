@@ -9,7 +9,7 @@ namespace penumbra::reproduce {
 
 struct Claims {
   Table table;
-  std::vector<std::string> reasons;  ///< why those don't hold that don't
+  std::vector<std::string> notes;  ///< what does not hold, and why; and of the lights
 };
 
 Claims check_claims(const Results& results);

@@ -69,7 +69,7 @@ Section findings(const Results& results) {
       {},
       {std::move(claims.table)},
       {},
-      std::move(claims.reasons)};
+      std::move(claims.notes)};
 }
 
 Section tables(const Results& results) {

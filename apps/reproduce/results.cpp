@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -42,6 +43,11 @@ const Measurement& best_proof(const Results& results, const Setting& setting) {
     if (!best || m.row.render.median < best->row.render.median) best = &m;
   }
   return *best;
+}
+
+const char* slug_of(PaperSceneIndex scene) {
+  constexpr std::array slugs{"cylinders", "balls", "rings", "molecule", "bust"};
+  return slugs[scene];
 }
 
 std::string title_of(const Plan& plan, PaperSceneIndex scene) {

@@ -36,6 +36,9 @@ const std::vector<Variant>& variants();
 /// The fastest of (c) to (e) in a setting.
 const Measurement& best_proof(const Results& results, const Setting& setting);
 
+/// For file names: "cylinders".
+const char* slug_of(PaperSceneIndex scene);
+
 /// "Cylinders", or the name of the file that stands in.
 std::string title_of(const Plan& plan, PaperSceneIndex scene);
 

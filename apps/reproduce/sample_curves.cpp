@@ -17,12 +17,12 @@ struct Contest {
 const std::vector<Contest>& contests() {
   const auto single = [](Method m) { return name_of(Contender{m, RayGrouping::single}); };
   static const std::vector<Contest> all{
-      {"(b) classical, ray by ray", single(Method::stochastic)},
-      {"(d) reduced, ray by ray", single(Method::reduced)},
-      {"(e) umbra, ray by ray", single(Method::umbra)},
-      {"stochastic, packets", name_of(Contender{Method::stochastic})},
+      {"(b) ray by ray", single(Method::stochastic)},
+      {"(d) ray by ray", single(Method::reduced)},
+      {"(e) ray by ray", single(Method::umbra)},
+      {"(b) packets", name_of(Contender{Method::stochastic})},
       {"shaft", name_of(Contender{Method::shaft})},
-      {"Embree packets", embree},
+      {"Embree", embree},
   };
   return all;
 }
@@ -77,7 +77,7 @@ Line fitted_time(const Results& results, const PlannedScene& scene, const std::s
 std::vector<Plot> times_against_samples(const Results& results) {
   std::vector<Plot> plots;
   for (const PaperSceneIndex scene : results.plan.sample_scenes) {
-    Plot plot{fmt::format("samples-{}", static_cast<int>(scene)),
+    Plot plot{fmt::format("samples-{}", slug_of(scene)),
               figure_name(scene) + title_of(results.plan, scene),
               "Time of a picture against the number of shadow samples, with fitted lines.",
               "shadow samples d",
@@ -104,7 +104,7 @@ Table slopes(const Results& results) {
     table.columns.push_back(title_of(results.plan, scene));
   const std::string& classical = contests().front().method;
   for (const Contest& contest : contests()) {
-    Row row{contest.name, {}, !std::string_view(contest.name).starts_with('(')};
+    Row row{contest.name, {}, !contest.method.ends_with("single rays")};
     for (const PaperSceneIndex index : results.plan.sample_scenes) {
       const PlannedScene& scene = results.plan.scenes[index];
       const double slope = fitted_time(results, scene, contest.method).slope;
@@ -129,7 +129,7 @@ Table slopes(const Results& results) {
 std::vector<Plot> errors_against_time(const Results& results) {
   std::vector<Plot> plots;
   for (const PaperSceneIndex scene : results.plan.sample_scenes) {
-    Plot plot{fmt::format("error-{}", static_cast<int>(scene)),
+    Plot plot{fmt::format("error-{}", slug_of(scene)),
               "Error against time: " + title_of(results.plan, scene),
               fmt::format("Root mean square error of the picture to one of d = {} and another "
                           "seed. Points are d = {} to {}: at the same d the error is the same.",
