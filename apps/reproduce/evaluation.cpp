@@ -39,7 +39,7 @@ std::vector<std::pair<std::string, std::string>> setting(const Results& results,
       {"Built with", fmt::format("{} {}", machine.compiler, machine.flags)},
       {"Versions", fmt::format("penumbra {}, Embree {}", machine.version, machine.embree)},
       {"Date", any.date},
-      {"Command", plan.is_quick ? "penumbra reproduce --quick" : "penumbra reproduce"},
+      {"Command", "penumbra reproduce" + option_of(plan.effort)},
   };
 }
 
@@ -164,9 +164,9 @@ Section notes(const Plan& plan) {
        "The time of a picture by Embree is that of stochastic packets, with its shadow time "
        "replaced by Embree's.",
        "Building is not part of the times, as in the paper; measurements.csv has it."}};
-  if (plan.is_quick)
+  if (plan.effort != Effort::full)
     section.notes.push_back(
-        "This was a quick run: few rounds, small pictures, few points on the curves.");
+        "This was no full run: few rounds, small pictures, few points on the curves.");
   return section;
 }
 

@@ -36,37 +36,58 @@ std::vector<Contender> paper_contenders() {
           single(Method::reduced), single(Method::umbra)};
 }
 
-Plan make_plan(bool is_quick, const std::string& molecule_file, const std::string& bust_file) {
+Plan make_plan(Effort effort, const std::string& molecule_file, const std::string& bust_file) {
   Plan p;
-  p.is_quick = is_quick;
+  p.effort = effort;
   p.scenes = {{{"cylinders", "0.1"},
                {"balls:4", "0.00617284"},  // that of its smallest balls
                {"rings", "0.05"},
                {molecule_file.empty() ? "molecule" : molecule_file, "1%"},
                {bust_file.empty() ? "bust" : bust_file, "1%"}}};
-  p.rounds = is_quick ? 3 : 9;
-  p.large_rounds = is_quick ? 1 : 5;
-  p.sample_scenes = {cylinders, molecule, bust, balls4};
-  p.sample_counts = {1, 8, 32, 128};
-  if (!is_quick) p.sample_counts = {1, 2, 4, 8, 16, 32, 64, 128, 256, 512};
-  p.reference_samples = is_quick ? 1024 : 4096;
-  p.beyond_scenes = {balls4, molecule, bust};
-  p.light_radii = {"1%", "5%", "20%"};
-  if (!is_quick) p.light_radii = {"0.5%", "1%", "2%", "5%", "10%", "20%", "50%"};
-  p.large_size = is_quick ? 192 : 512;
-  p.sizes = {64, 128, 256};
-  if (!is_quick) p.sizes = {64, 128, 256, 512, 1024};
   p.size_radius = "5%";
-  const int largest = is_quick ? 5 : 6;
+  p.sample_scenes = {cylinders, molecule, bust, balls4};
+  p.beyond_scenes = {balls4, molecule, bust};
+  int largest = 6;
+  switch (effort) {
+    case Effort::full:
+      p.rounds = 9, p.large_rounds = 5;
+      p.sample_counts = {1, 2, 4, 8, 16, 32, 64, 128, 256, 512}, p.reference_samples = 4096;
+      p.light_radii = {"0.5%", "1%", "2%", "5%", "10%", "20%", "50%"}, p.large_size = 512;
+      p.sizes = {64, 128, 256, 512, 1024};
+      p.picture_size = 1024, p.picture_samples = 64, p.picture_spp = 16;
+      break;
+    case Effort::quick:
+      p.rounds = 3, p.large_rounds = 2;
+      p.sample_counts = {1, 8, 32, 128}, p.reference_samples = 1024;
+      p.light_radii = {"1%", "5%", "20%"}, p.large_size = 192;
+      p.sizes = {64, 128, 256};
+      p.picture_size = 512, p.picture_samples = 16, p.picture_spp = 4;
+      largest = 5;
+      break;
+    case Effort::smoke:
+      p.rounds = 1, p.large_rounds = 1;
+      p.sample_scenes = {cylinders}, p.beyond_scenes = {balls4};
+      p.sample_counts = {1, 8}, p.reference_samples = 64;
+      p.light_radii = {"5%", "20%"}, p.large_size = 32;
+      p.sizes = {16, 32};
+      p.picture_size = 64, p.picture_samples = 4, p.picture_spp = 1;
+      largest = 2;
+      break;
+  }
   for (int n = 1; n <= largest; ++n) p.growing.push_back(fmt::format("balls:{}", n));
-  p.picture_size = is_quick ? 512 : 1024;
-  p.picture_samples = is_quick ? 16 : 64;
-  p.picture_spp = is_quick ? 4 : 16;
   return p;
 }
 
+std::string option_of(Effort effort) {
+  switch (effort) {
+    case Effort::quick: return " --quick";
+    case Effort::smoke: return " --smoke";
+    default: return "";
+  }
+}
+
 std::string name_of(const Plan& plan) {
-  return fmt::format("{}; {}; {}", plan.is_quick ? "quick" : "full",
+  return fmt::format("{}; {}; {}", "reproduce" + option_of(plan.effort),
                      file_stamp(plan.scenes[molecule].scene), file_stamp(plan.scenes[bust].scene));
 }
 

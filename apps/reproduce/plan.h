@@ -21,8 +21,12 @@ struct PlannedScene {
 /// The scenes in the order of `paper_scenes`.
 enum PaperSceneIndex { cylinders, balls4, rings, molecule, bust };
 
+/// full: the paper's whole evaluation and ours; quick: fewer points and rounds, smaller pictures;
+/// smoke: hardly any, to see that all of it works.
+enum class Effort { full, quick, smoke };
+
 struct Plan {
-  bool is_quick = false;
+  Effort effort = Effort::full;
   std::array<PlannedScene, 5> scenes;
   std::uint32_t rounds = 0, large_rounds = 0;  ///< at the paper's size; beyond it
   std::vector<PaperSceneIndex> sample_scenes;  ///< time against d: three in the paper
@@ -38,7 +42,10 @@ struct Plan {
 };
 
 /// `molecule` and `bust`: empty, or files in place of the built-in scenes.
-Plan make_plan(bool is_quick, const std::string& molecule, const std::string& bust);
+Plan make_plan(Effort effort, const std::string& molecule, const std::string& bust);
+
+/// As it is asked for: " --quick", or nothing.
+std::string option_of(Effort effort);
 
 /// All that the plan's measurements depend on, beside machine and version: rounds, and the size and
 /// time of files.
