@@ -13,13 +13,11 @@ namespace penumbra {
 
 struct Ray;
 
-/// Nearest record: `found` says whether there is one.
+/// The nearest record that a ray meets; null if none.
 struct NearestRecord {
   float t = 0;
-  std::uint32_t id = 0;
   const Record* record = nullptr;
   std::uint32_t tests = 0;
-  bool found = false;
 };
 
 inline constexpr std::uint32_t no_record = 0xffffffffu;
@@ -40,10 +38,6 @@ OccludedReport occluded(const WideTree& tree, const LightSamples& rays,
 OccludedReport occluded_among(std::span<const Record> records, std::span<const std::uint32_t> list,
                               const LightSamples& rays, std::span<const std::uint32_t> active,
                               std::span<std::uint32_t> blocked);
-
-/// The active rays that one record blocks.
-void occluded_by(const Record& record, const LightSamples& rays,
-                 std::span<const std::uint32_t> active, std::span<std::uint32_t> blocked);
 
 /// The leaves that a ray may pass, nearest child first: `leaf(context, first, count)` gets runs of
 /// the tree's order, and ends the walk when it returns true. Passes by no box that the ray meets,

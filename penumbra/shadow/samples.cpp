@@ -51,27 +51,22 @@ std::uint64_t count_bits(std::span<const std::uint32_t> words) {
   return bits;
 }
 
-/// Moves the rays that one record blocks from `remaining` to `blocked`; returns their number.
-std::uint64_t take_blocked(const Record& record, SampleScratch& scratch) {
-  occluded_by(record, scratch.samples, scratch.remaining, scratch.by_one);
-  for (std::size_t i = 0; i < scratch.remaining.size(); ++i) {
-    scratch.remaining[i] &= ~scratch.by_one[i];
-    scratch.blocked[i] |= scratch.by_one[i];
-  }
-  return count_bits(scratch.by_one);
-}
-
-/// Tries the cached occluders on all active rays.
+/// Tries the cached occluders on all active rays: moves those that one blocks from `remaining` to
+/// `blocked`.
 void ask_cache(const Kernel& kernel, OccluderQueue& queue, SampleScratch& scratch,
                ShadowCounters& counters) {
   for (const std::uint32_t record : std::array(queue.record)) {
     if (record == no_record) continue;
-    const std::uint64_t rays = count_bits(scratch.remaining);
-    if (rays == 0) return;
-    counters.tests += rays;
-    const std::uint64_t decided = take_blocked(kernel.records()[record], scratch);
-    counters.cache_decided += decided;
-    if (decided > 0) queue.move_to_front(record);
+    const OccludedReport report = occluded_among(kernel.records(), {&record, 1}, scratch.samples,
+                                                 scratch.remaining, scratch.by_one);
+    counters.tests += report.tests;
+    if (report.blocker == no_record) continue;
+    queue.move_to_front(record);
+    counters.cache_decided += count_bits(scratch.by_one);
+    for (std::size_t i = 0; i < scratch.remaining.size(); ++i) {
+      scratch.remaining[i] &= ~scratch.by_one[i];
+      scratch.blocked[i] |= scratch.by_one[i];
+    }
   }
 }
 
