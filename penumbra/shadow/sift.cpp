@@ -113,9 +113,7 @@ HWY_INLINE void copy(const CandidateRows<numbers>& from, std::size_t first, std:
                      CandidateRows<numbers>& to) {
   if (kept == 0) return;
   const hn::Rebind<std::uint32_t, LaneTag> index_tag;
-  const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(kept),
-                                 static_cast<std::uint8_t>(kept >> 8)};
-  const LaneMask mask = hn::LoadMaskBits(lane_tag, bytes);
+  const LaneMask mask = mask_of(kept);
   for (std::size_t row = 0; row < numbers; ++row)
     hn::StoreU(hn::Compress(ColumnLanes::load(from, row, first), mask), lane_tag,
                to.row[row] + to.count);

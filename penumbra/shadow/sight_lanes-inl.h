@@ -22,23 +22,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace penumbra::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using LaneTag = hn::CappedTag<float, 16>;
-using Lane = hn::Vec<LaneTag>;
-using LaneMask = hn::Mask<LaneTag>;
 using LaneVec = Vec3Lanes<Lane>;
-constexpr LaneTag lane_tag;
-constexpr std::size_t lane_count = hn::MaxLanes(LaneTag());
 constexpr float sum_pad = 0x1p-20f;
 /// What is nearer than this to anything may be hit for lack of float's range.
 constexpr float tiny = 2e-18f;
 
-HWY_INLINE std::uint32_t bits_of(LaneMask mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(lane_tag, mask, bytes);
-  return bytes[0] | std::uint32_t(bytes[1]) << 8;
-}
 HWY_INLINE LaneMask none() { return hn::FirstN(lane_tag, 0); }
 HWY_INLINE Lane all(float x) { return hn::Set(lane_tag, x); }
 HWY_INLINE LaneVec all(Vec3f v) { return {all(v.x), all(v.y), all(v.z)}; }
