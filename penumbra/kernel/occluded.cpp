@@ -13,7 +13,7 @@
 #include <hwy/highway.h>
 
 #include "penumbra/kernel/packet-inl.h"
-#include "penumbra/kernel/walk-inl.h"
+#include "penumbra/kernel/prefetch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace penumbra::HWY_NAMESPACE {

@@ -46,13 +46,15 @@ OccludedReport occluded_among(std::span<const Record> records, std::span<const s
 using VisitLeaf = bool (*)(void* context, std::uint32_t first, std::uint32_t count);
 bool walk(std::span<const WideNode> nodes, const Ray& ray, VisitLeaf leaf, void* context);
 
-/// The same for a callable bool(first, count).
+/// A callable bool(first, count) as VisitLeaf; the context is its address.
+template <class Leaf>
+bool call_leaf(void* context, std::uint32_t first, std::uint32_t count) {
+  return (*static_cast<Leaf*>(context))(first, count);
+}
+
 template <class Leaf>
 bool walk(std::span<const WideNode> nodes, const Ray& ray, Leaf leaf) {
-  const auto call = [](void* context, std::uint32_t first, std::uint32_t count) -> bool {
-    return (*static_cast<Leaf*>(context))(first, count);
-  };
-  return walk(nodes, ray, call, &leaf);
+  return walk(nodes, ray, call_leaf<Leaf>, &leaf);
 }
 
 /// The hull of a box of receiver points and a convex set of targets, as boxes see it: at t in [0,
@@ -75,10 +77,7 @@ bool walk(std::span<const WideNode> nodes, std::span<const Record> records,
 template <class Leaf>
 bool walk(std::span<const WideNode> nodes, std::span<const Record> records,
           const ShaftBounds& shaft, Leaf leaf) {
-  const auto call = [](void* context, std::uint32_t first, std::uint32_t count) -> bool {
-    return (*static_cast<Leaf*>(context))(first, count);
-  };
-  return walk(nodes, records, shaft, call, &leaf);
+  return walk(nodes, records, shaft, call_leaf<Leaf>, &leaf);
 }
 
 // One ray and one record at a time, on the compiler's baseline instruction set: the judge.
