@@ -15,7 +15,7 @@ namespace penumbra {
 /// lanes to load and to mask; memory is not cleared.
 template <ShapeKind kind, std::size_t numbers>
 struct CandidateRows {
-  static constexpr std::size_t most = 1024, padded = most + 48;
+  static constexpr std::size_t most = 256, padded = most + 48;
   alignas(64) float row[numbers][padded];
   alignas(64) std::uint32_t index[padded];
   std::uint32_t count;

@@ -20,6 +20,7 @@ constexpr std::size_t most_of(std::size_t receivers) {
   return receivers > 16 ? 256 : receivers > 4 ? 96 : 48;
 }
 constexpr std::size_t most_of_one = 40;
+static_assert(most_of(ReceiverRows::most) <= CandidateList::most);
 /// Candidates so few that a group is not split any more.
 constexpr std::size_t listed = 32;
 /// Candidates of one receiver so few that double precision looks at each.

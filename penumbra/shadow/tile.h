@@ -19,7 +19,7 @@
 
 namespace penumbra {
 
-/// Memory that is reused between tiles: 0.9 MB, of which most is never touched.
+/// Memory that is reused between tiles: 0.2 MB, of which most is never touched.
 struct TileScratch {
   TileScratch() = default;
   /// What it holds is of no use to another: a copy begins anew.
