@@ -11,11 +11,6 @@
 
 namespace penumbra {
 
-bool is_any_blocked(const SampleScratch& scratch) {
-  return std::any_of(scratch.blocked.begin(), scratch.blocked.end(),
-                     [](std::uint32_t word) { return word != 0; });
-}
-
 namespace {
 
 /// The one ray of `hard`: to the centre.
@@ -68,6 +63,11 @@ void ask_cache(const Kernel& kernel, OccluderQueue& queue, SampleScratch& scratc
       scratch.blocked[i] |= scratch.by_one[i];
     }
   }
+}
+
+bool is_any_blocked(const SampleScratch& scratch) {
+  return std::any_of(scratch.blocked.begin(), scratch.blocked.end(),
+                     [](std::uint32_t word) { return word != 0; });
 }
 
 /// Adds what a query of the remaining rays found.
@@ -135,6 +135,11 @@ Visibility sum_up(const SampleScratch& scratch) {
   result.cosine_weighted =
       all > 0 && std::isfinite(ratio) ? static_cast<float>(ratio) : result.fraction;
   return result;
+}
+
+ShadowClass class_by_samples(const SampleScratch& scratch, const Visibility& seen) {
+  if (seen.fraction == 0) return ShadowClass::umbra;
+  return is_any_blocked(scratch) ? ShadowClass::penumbra : ShadowClass::lit;
 }
 
 std::uint32_t take_samples(const ShadowScene& scene, std::uint32_t light, const Receiver& receiver,
