@@ -101,7 +101,7 @@ bool surely_misses_offset(const Record& record, const LightHull& light, Vec3f p,
 }
 
 Box offset_bounds(const Box& occluder, const LightHull& light, double t, const Box& receivers) {
-  const ExtentBox spread = spread_box(light);
+  const ExtentBox& spread = light.spread_box();
   const double pad = greatest_hit_bound(occluder, receivers) + greatest_doubt(light, receivers);
   const Vec3d all(pad, pad, pad);
   // The light is reflected: q = x + t (l - c).
