@@ -16,6 +16,10 @@ namespace penumbra {
 /// nothing so small is proven.
 inline constexpr double underflow_bound = 1e-18;
 
+/// The intersector divides lengths by those of rays: where a ray is so many times longer than what
+/// it may meet is far, float's range may not suffice, and nothing is proven.
+inline constexpr double greatest_ratio = 1e9;
+
 /// A box in double.
 struct ExtentBox {
   Vec3d lo, hi;

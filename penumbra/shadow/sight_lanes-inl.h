@@ -81,11 +81,9 @@ struct SightLanes {
   Lane distance, doubt;
   float radius = 0, floor = 0;  // r, of the receivers
   Lane size;                    // R, with all rounding
-  Lane taper;  // R - r: the shaft's cross-section at t has the radius r + t (R - r)
-  Lane reach;  // farther than any sample
-  // The intersector divides lengths by those of rays: what lies all within so little beside them
-  // leaves float's range, and of it nothing is proven. A sun's rays have unit length.
-  Lane least_reach;
+  Lane taper;        // R - r: the shaft's cross-section at t has the radius r + t (R - r)
+  Lane reach;        // farther than any sample
+  Lane least_reach;  // of what something is proven (`greatest_ratio`); a sun's rays are unit
 
   /// The largest m . (l - c) over the samples, rounded up.
   HWY_INLINE Lane extent(const LaneVec& m, Lane length) const {
@@ -109,7 +107,8 @@ struct SightLanes {
   HWY_INLINE void add_sizes(float of_light) {
     size = hn::Mul(hn::Add(all(of_light), doubt), all(1 + sum_pad));
     taper = hn::Sub(size, all(radius));
-    least_reach = light.is_sun ? hn::Zero(lane_tag) : hn::Mul(distance, all(1e-9f));
+    constexpr float least_ratio = 1 / greatest_ratio;
+    least_reach = light.is_sun ? hn::Zero(lane_tag) : hn::Mul(distance, all(least_ratio));
     reach = hn::Add(hn::Mul(distance, all(1 + sum_pad)), hn::Add(size, all(radius)));
   }
 };
