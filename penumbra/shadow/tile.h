@@ -26,11 +26,12 @@ struct TileScratch {
   TileScratch(const TileScratch&) : TileScratch() {}
   TileScratch& operator=(const TileScratch&) { return *this; }
 
-  static constexpr std::size_t levels = 4;
+  /// For groups of up to 64, 16 and 4 receivers, each sifted from the one before; what a query
+  /// gathered; and one receiver's, to be sifted for parts of the light.
+  enum List : std::size_t { of_groups = 0, gathered = 3, of_one, lists };
   ReceiverRows rows;
   std::array<std::uint32_t, ReceiverRows::most> query;  ///< of each row
-  std::unique_ptr<CandidateList[]> list =
-      std::make_unique_for_overwrite<CandidateList[]>(levels + 2);
+  std::unique_ptr<CandidateList[]> list = std::make_unique_for_overwrite<CandidateList[]>(lists);
   Sifted sifted;
   SiftedRows sifted_rows;
   SheetScratch sheet;
