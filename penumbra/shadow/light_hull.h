@@ -90,6 +90,13 @@ class LightHull {
   ExtentBox spread_box_;
 };
 
+/// L, around the centre c.
+struct LightSet {
+  const LightHull& light;
+  Vec3d c;
+  Vec3d support(Vec3d n) const { return c + light.spread(n); }
+};
+
 /// The shaft from p to the light: the hull of p and L. It holds every segment to a sample, up to
 /// `doubt`.
 struct LightShaft {

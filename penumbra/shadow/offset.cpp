@@ -31,7 +31,7 @@ Vec3d hint(const PointHull& hull, const Segment& core) {
 Vec3d hint(const DiskHull& hull, const Segment& core) {
   return core.nearest(hull.center) - hull.center;
 }
-Vec3d hint(const TriangleHull& hull, const Segment& core) {
+Vec3d hint(const FlatHull& hull, const Segment& core) {
   const Vec3d middle = (hull.a + hull.b + hull.c) * (1.0 / 3);
   return core.nearest(middle) - middle;
 }
