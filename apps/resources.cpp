@@ -3,13 +3,7 @@
 
 #include <sys/resource.h>
 
-#include <chrono>
-
 namespace penumbra {
-
-double now_seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 std::uint64_t peak_rss_bytes() {
   rusage usage{};

@@ -4,10 +4,9 @@
 
 #include <cstdint>
 
-namespace penumbra {
+#include "penumbra/trace/clock.h"
 
-/// Seconds on a clock that only goes forward.
-double now_seconds();
+namespace penumbra {
 
 /// The most memory this process has had resident.
 std::uint64_t peak_rss_bytes();

@@ -16,9 +16,9 @@ std::vector<MeshEdge> sorted_edges(std::span<const Triangle> triangles, std::siz
   std::vector<MeshEdge> edges(3 * triangles.size());
   std::vector<std::size_t> next(first.begin(), first.end() - 1);
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    for (int k = 0; k < 3; ++k) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t a = triangles[t][k], b = triangles[t][(k + 1) % 3];
-      edges[next[std::min(a, b)]++] = {std::min(a, b), std::max(a, b), t};
+      edges[next[std::min(a, b)]++] = {std::min(a, b), std::max(a, b), t, k};
     }
   const auto before = [](const MeshEdge& a, const MeshEdge& b) {
     return std::tie(a.high, a.triangle) < std::tie(b.high, b.triangle);
@@ -27,6 +27,14 @@ std::vector<MeshEdge> sorted_edges(std::span<const Triangle> triangles, std::siz
     std::sort(edges.begin() + static_cast<std::ptrdiff_t>(first[v]),
               edges.begin() + static_cast<std::ptrdiff_t>(first[v + 1]), before);
   return edges;
+}
+
+std::vector<MeshEdge> welded_edges(const Mesh& mesh) {
+  const std::vector<std::uint32_t> welded = welded_vertices(mesh);
+  std::vector<Triangle> triangles = mesh.triangles;
+  for (Triangle& triangle : triangles)
+    for (std::uint32_t& vertex : triangle) vertex = welded[vertex];
+  return sorted_edges(triangles, mesh.positions.size());
 }
 
 TriangleSets::TriangleSets(std::size_t count) : parent_(count) {

@@ -14,12 +14,16 @@ namespace penumbra::detail {
 struct MeshEdge {
   std::uint32_t low, high;  ///< vertices
   std::uint32_t triangle;
+  std::uint32_t corner;  ///< of the triangle, from which the edge goes to the next
   bool joins(const MeshEdge& e) const { return low == e.low && high == e.high; }
 };
 
 /// Three a triangle, sorted by low, high and triangle. Vertices below vertex_count; those of one
 /// place must be one (see `welded_vertices`). Cost: linear, unless many triangles share a vertex.
 std::vector<MeshEdge> sorted_edges(std::span<const Triangle> triangles, std::size_t vertex_count);
+
+/// Those of a mesh, given positions that are equal as one vertex.
+std::vector<MeshEdge> welded_edges(const Mesh& mesh);
 
 /// Disjoint sets of triangles; the smallest of a set stands for it.
 class TriangleSets {

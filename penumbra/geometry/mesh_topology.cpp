@@ -4,20 +4,9 @@
 #include "penumbra/geometry/mesh_edges.h"
 
 namespace penumbra {
-namespace {
-
-std::vector<detail::MeshEdge> welded_edges(const Mesh& mesh) {
-  const std::vector<std::uint32_t> welded = welded_vertices(mesh);
-  std::vector<Triangle> triangles = mesh.triangles;
-  for (Triangle& triangle : triangles)
-    for (std::uint32_t& corner : triangle) corner = welded[corner];
-  return detail::sorted_edges(triangles, mesh.positions.size());
-}
-
-}  // namespace
 
 MeshTopology topology(const Mesh& mesh) {
-  const std::vector<detail::MeshEdge> edges = welded_edges(mesh);
+  const std::vector<detail::MeshEdge> edges = detail::welded_edges(mesh);
   detail::TriangleSets sets(mesh.triangles.size());
   std::vector<std::uint32_t> with_odd_edge;
   MeshTopology result;

@@ -187,7 +187,7 @@ void user_intersect(const RTCIntersectFunctionNArguments* arguments) {
                   RTCRayN_tnear(ray, n, i),
                   RTCRayN_tfar(ray, n, i)};
     const NearestRecord found = nearest_brute({&record, 1}, one);
-    if (!found.found) continue;
+    if (!found.record) continue;
     RTCRayN_tfar(ray, n, i) = found.t;
     RTCHitN_geomID(hits, n, i) = arguments->geomID;
     RTCHitN_primID(hits, n, i) = arguments->primID;

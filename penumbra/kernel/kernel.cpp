@@ -74,13 +74,13 @@ NearestRecord Kernel::Data::nearest_to(const Ray& ray) const {
 
 std::uint32_t Kernel::closest_record(const Ray& ray) const {
   const NearestRecord found = data_->nearest_to(ray);
-  return found.found ? static_cast<std::uint32_t>(found.record - records().data()) : no_record;
+  return found.record ? static_cast<std::uint32_t>(found.record - records().data()) : no_record;
 }
 
 Kernel::ClosestResult Kernel::closest(const Ray& ray) const {
   const NearestRecord found = data_->nearest_to(ray);
   ClosestResult result{{}, found.tests};
-  if (found.found) result.hit = Hit{found.t, shape_of(data_->begin, found.id)};
+  if (found.record) result.hit = Hit{found.t, shape_of(data_->begin, found.record->id)};
   return result;
 }
 

@@ -13,6 +13,8 @@
 #include <hwy/highway.h>
 
 #include <cfloat>
+#include <cstddef>
+#include <cstdint>
 
 #include "penumbra/geometry/vec.h"
 
@@ -20,6 +22,25 @@ HWY_BEFORE_NAMESPACE();
 namespace penumbra::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
+
+/// Sixteen lanes, or as many as there are, and sets of them as bits.
+using LaneTag = hn::CappedTag<float, 16>;
+using Lane = hn::Vec<LaneTag>;
+using LaneMask = hn::Mask<LaneTag>;
+constexpr LaneTag lane_tag;
+constexpr std::size_t lane_count = hn::MaxLanes(LaneTag());
+
+HWY_INLINE LaneMask mask_of(std::uint32_t bits) {
+  const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits),
+                                 static_cast<std::uint8_t>(bits >> 8)};
+  return hn::LoadMaskBits(lane_tag, bytes);
+}
+
+HWY_INLINE std::uint32_t bits_of(LaneMask mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(lane_tag, mask, bytes);
+  return bytes[0] | std::uint32_t(bytes[1]) << 8;
+}
 
 /// Reciprocal without infinities, monotone where the sign is constant; zeros of either sign count
 /// as positive.

@@ -53,7 +53,7 @@ NearestRecord NearestWide(const WideTree& tree, const Ray& ray) {
   if (!tree.nodes.empty()) stack[top++] = {0, NodeRef::inner(0)};
   while (top > 0) {
     const Entry entry = stack[--top];
-    if (search.nearest.found && entry.near > search.nearest.t) continue;
+    if (search.nearest.record && entry.near > search.nearest.t) continue;
     if (entry.ref.is_leaf()) {
       search_leaf(&tree.records[entry.ref.first()], entry.ref.count(), ray.origin, lanes, search);
       search.nearest.tests += entry.ref.count();

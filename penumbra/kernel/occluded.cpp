@@ -13,7 +13,7 @@
 #include <hwy/highway.h>
 
 #include "penumbra/kernel/packet-inl.h"
-#include "penumbra/kernel/walk-inl.h"
+#include "penumbra/kernel/prefetch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace penumbra::HWY_NAMESPACE {
@@ -127,13 +127,6 @@ OccludedReport OccludedAmong(std::span<const Record> records, std::span<const st
   return progress.report;
 }
 
-void OccludedByOne(const Record& record, const LightSamples& rays,
-                   std::span<const std::uint32_t> active, std::span<std::uint32_t> blocked) {
-  for (std::uint32_t word = 0; 32 * word < rays.count; ++word)
-    blocked[word] =
-        active[word] == 0 ? 0 : blocked_by(record, Packet(rays, 32 * word), active[word]);
-}
-
 }  // namespace penumbra::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -142,7 +135,6 @@ namespace penumbra {
 
 HWY_EXPORT(OccludedWide);
 HWY_EXPORT(OccludedAmong);
-HWY_EXPORT(OccludedByOne);
 
 OccludedReport occluded(const WideTree& tree, const LightSamples& rays,
                         std::span<const std::uint32_t> active, std::span<std::uint32_t> blocked) {
@@ -153,11 +145,6 @@ OccludedReport occluded_among(std::span<const Record> records, std::span<const s
                               const LightSamples& rays, std::span<const std::uint32_t> active,
                               std::span<std::uint32_t> blocked) {
   return HWY_DYNAMIC_DISPATCH(OccludedAmong)(records, list, rays, active, blocked);
-}
-
-void occluded_by(const Record& record, const LightSamples& rays,
-                 std::span<const std::uint32_t> active, std::span<std::uint32_t> blocked) {
-  HWY_DYNAMIC_DISPATCH(OccludedByOne)(record, rays, active, blocked);
 }
 
 }  // namespace penumbra

@@ -19,18 +19,11 @@
 #include "penumbra/kernel/edge_planes-inl.h"
 #include "penumbra/kernel/four_triangles-inl.h"
 #include "penumbra/kernel/intersect-inl.h"
+#include "penumbra/kernel/lanes-inl.h"
 #include "penumbra/kernel/shaft-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace penumbra::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Lanes = hn::CappedTag<float, 16>;
-using LanesV = hn::Vec<Lanes>;
-using LanesM = hn::Mask<Lanes>;
-constexpr Lanes lanes_tag;
-constexpr std::uint32_t lane_count = hn::MaxLanes(Lanes());
 
 /// Up to 32 rays of a receiver, and what is derived from their directions: one array a number, so
 /// that it can be had for a group of rays and for a single one. Sets of them are bit masks.
@@ -42,15 +35,15 @@ struct Packet {
         first(first_),
         groups((std::min(rays_.count - first_, most) + lane_count - 1) / lane_count) {
     for (std::uint32_t i = 0; i < groups * lane_count; i += lane_count) {
-      const LanesV x = hn::LoadU(lanes_tag, &rays.x[first + i]),
-                   y = hn::LoadU(lanes_tag, &rays.y[first + i]),
-                   z = hn::LoadU(lanes_tag, &rays.z[first + i]);
-      const RayLanes<Lanes> ray = make_ray_lanes(lanes_tag, x, y, z);
-      const LanesV numbers[] = {ray.inverse_square, ray.shear_x, ray.shear_y, ray.scale, ray.axis};
-      for (int k = 0; k < 5; ++k) hn::Store(numbers[k], lanes_tag, &derived[k][i]);
-      hn::Store(safe_reciprocal(lanes_tag, x), lanes_tag, &inverse[0][i]);
-      hn::Store(safe_reciprocal(lanes_tag, y), lanes_tag, &inverse[1][i]);
-      hn::Store(safe_reciprocal(lanes_tag, z), lanes_tag, &inverse[2][i]);
+      const Lane x = hn::LoadU(lane_tag, &rays.x[first + i]),
+                 y = hn::LoadU(lane_tag, &rays.y[first + i]),
+                 z = hn::LoadU(lane_tag, &rays.z[first + i]);
+      const RayLanes<LaneTag> ray = make_ray_lanes(lane_tag, x, y, z);
+      const Lane numbers[] = {ray.inverse_square, ray.shear_x, ray.shear_y, ray.scale, ray.axis};
+      for (int k = 0; k < 5; ++k) hn::Store(numbers[k], lane_tag, &derived[k][i]);
+      hn::Store(safe_reciprocal(lane_tag, x), lane_tag, &inverse[0][i]);
+      hn::Store(safe_reciprocal(lane_tag, y), lane_tag, &inverse[1][i]);
+      hn::Store(safe_reciprocal(lane_tag, z), lane_tag, &inverse[2][i]);
     }
   }
 
@@ -72,18 +65,6 @@ struct Packet {
   alignas(64) float derived[5][most];  // the members of RayLanes after the direction
   alignas(64) float inverse[3][most];  // 1 / direction
 };
-
-HWY_INLINE LanesM mask_of(std::uint32_t bits) {
-  const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits),
-                                 static_cast<std::uint8_t>(bits >> 8)};
-  return hn::LoadMaskBits(lanes_tag, bytes);
-}
-
-HWY_INLINE std::uint32_t bits_of(LanesM mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(lanes_tag, mask, bytes);
-  return bytes[0] | std::uint32_t(bytes[1]) << 8;
-}
 
 /// Calls f(ray) for each of the rays.
 template <class F>
@@ -109,8 +90,8 @@ HWY_INLINE std::uint32_t near_triangle(const Record& triangle, const Packet& pac
   return each_group(packet, wanted, [&](std::uint32_t g, std::uint32_t) {
     const std::uint32_t i = packet.first + g * lane_count;
     const auto passes =
-        passes_by(lanes_tag, planes, hn::LoadU(lanes_tag, &packet.rays.x[i]),
-                  hn::LoadU(lanes_tag, &packet.rays.y[i]), hn::LoadU(lanes_tag, &packet.rays.z[i]));
+        passes_by(lane_tag, planes, hn::LoadU(lane_tag, &packet.rays.x[i]),
+                  hn::LoadU(lane_tag, &packet.rays.y[i]), hn::LoadU(lane_tag, &packet.rays.z[i]));
     return ~bits_of(passes);
   });
 }
@@ -129,9 +110,9 @@ HWY_INLINE std::uint32_t blocked_by(const Record& record, const Packet& packet,
     return hn::AllFalse(d, met) ? 0 : wanted;
   }
   return each_group(packet, wanted, [&](std::uint32_t g, std::uint32_t bits) {
-    return bits_of(meets(lanes_tag, record, packet.rays.origin,
-                         packet.lanes(lanes_tag, g * lane_count),
-                         hn::Set(lanes_tag, packet.rays.t_max), mask_of(bits)));
+    return bits_of(meets(lane_tag, record, packet.rays.origin,
+                         packet.lanes(lane_tag, g * lane_count),
+                         hn::Set(lane_tag, packet.rays.t_max), mask_of(bits)));
   });
 }
 
@@ -147,11 +128,11 @@ HWY_INLINE std::uint32_t through_box(const WideNode& node, int child, const Pack
   }
   const float pad = box_pad * reach;
   return each_group(packet, wanted, [&](std::uint32_t g, std::uint32_t) {
-    LanesV near = hn::Zero(lanes_tag), far = hn::Set(lanes_tag, packet.rays.t_max);
+    Lane near = hn::Zero(lane_tag), far = hn::Set(lane_tag, packet.rays.t_max);
     for (int axis = 0; axis < 3; ++axis) {
-      const LanesV inverse = hn::Load(lanes_tag, &packet.inverse[axis][g * lane_count]);
-      const LanesV a = hn::Mul(hn::Set(lanes_tag, lo[axis] - pad), inverse);
-      const LanesV b = hn::Mul(hn::Set(lanes_tag, hi[axis] + pad), inverse);
+      const Lane inverse = hn::Load(lane_tag, &packet.inverse[axis][g * lane_count]);
+      const Lane a = hn::Mul(hn::Set(lane_tag, lo[axis] - pad), inverse);
+      const Lane b = hn::Mul(hn::Set(lane_tag, hi[axis] + pad), inverse);
       near = hn::Max(near, hn::Min(a, b)), far = hn::Min(far, hn::Max(a, b));
     }
     return bits_of(hn::Le(near, far));

@@ -31,9 +31,9 @@ HWY_INLINE void search_record(D d, const Record& record, Vec3f origin, const Ray
     const float at = hn::GetLane(t);
     NearestRecord& best = search.nearest;
     if (!hn::AllTrue(d, hit) || !(at > search.t_min && at < search.t_max)) return;
-    if (best.found && !(at < best.t || (at == best.t && record.id < best.id))) return;
+    if (best.record && !(at < best.t || (at == best.t && record.id < best.record->id))) return;
     if (hn::AllFalse(d, confirm(d, record, origin, ray, t, hit))) return;
-    best.t = at, best.id = record.id, best.record = &record, best.found = true;
+    best.t = at, best.record = &record;
   });
 }
 

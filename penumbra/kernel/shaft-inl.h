@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Shaft against the eight boxes of a node. A shaft is bounded, along each axis and at each
 // parameter t, by two lines: [P0 + t D0, P1 + t D1]. Two kinds are asked for:
-//   - all rays from one origin (P0 = P1) whose directions lie in a box [D0, D1]; a single ray is
-//   the
-//     one whose box is a point. For every ray of it that meets a record under a box in the sense of
-//     intersect-inl.h the test passes, exactly: reciprocal, product and padding are monotone under
-//     rounding.
-//   - the hull of a box of receivers [P0, P1] and a box of targets [L0, L1], with D = L - P
-//     (Haines & Wallace 1991). A box's reach below is at least a third of what it is from
-//     any receiver, since it is at least half of the receivers' extent; so boxes are padded four
-//     times as much, which leaves room for what float loses here.
+// (1) All rays from one origin (P0 = P1) whose directions lie in a box [D0, D1]; a single ray is
+// the one whose box is a point. For every ray of it that meets a record under a box in the sense of
+// intersect-inl.h the test passes, exactly: reciprocal, product and padding are monotone under
+// rounding.
+// (2) The hull of a box of receivers [P0, P1] and a box of targets [L0, L1], with D = L - P (Haines
+// & Wallace 1991). A box's reach below is at least a third of what it is from any receiver, since
+// it is at least half of the receivers' extent; so boxes are padded four times as much, which
+// leaves room for what float loses here.
 //
 // The extent overlaps a box's [lo, hi] where P1 + t D1 >= lo and P0 + t D0 <= hi: two half-lines,
 // each bounding t from the side that the sign of its own slope says.

@@ -13,13 +13,11 @@ namespace penumbra {
 
 struct Ray;
 
-/// Nearest record: `found` says whether there is one.
+/// The nearest record that a ray meets; null if none.
 struct NearestRecord {
   float t = 0;
-  std::uint32_t id = 0;
   const Record* record = nullptr;
   std::uint32_t tests = 0;
-  bool found = false;
 };
 
 inline constexpr std::uint32_t no_record = 0xffffffffu;
@@ -41,10 +39,6 @@ OccludedReport occluded_among(std::span<const Record> records, std::span<const s
                               const LightSamples& rays, std::span<const std::uint32_t> active,
                               std::span<std::uint32_t> blocked);
 
-/// The active rays that one record blocks.
-void occluded_by(const Record& record, const LightSamples& rays,
-                 std::span<const std::uint32_t> active, std::span<std::uint32_t> blocked);
-
 /// The leaves that a ray may pass, nearest child first: `leaf(context, first, count)` gets runs of
 /// the tree's order, and ends the walk when it returns true. Passes by no box that the ray meets,
 /// grown by 2^-19 of its farthest coordinate from the origin (see intersect-inl.h). Returns whether
@@ -52,13 +46,15 @@ void occluded_by(const Record& record, const LightSamples& rays,
 using VisitLeaf = bool (*)(void* context, std::uint32_t first, std::uint32_t count);
 bool walk(std::span<const WideNode> nodes, const Ray& ray, VisitLeaf leaf, void* context);
 
-/// The same for a callable bool(first, count).
+/// A callable bool(first, count) as VisitLeaf; the context is its address.
+template <class Leaf>
+bool call_leaf(void* context, std::uint32_t first, std::uint32_t count) {
+  return (*static_cast<Leaf*>(context))(first, count);
+}
+
 template <class Leaf>
 bool walk(std::span<const WideNode> nodes, const Ray& ray, Leaf leaf) {
-  const auto call = [](void* context, std::uint32_t first, std::uint32_t count) -> bool {
-    return (*static_cast<Leaf*>(context))(first, count);
-  };
-  return walk(nodes, ray, call, &leaf);
+  return walk(nodes, ray, call_leaf<Leaf>, &leaf);
 }
 
 /// The hull of a box of receiver points and a convex set of targets, as boxes see it: at t in [0,
@@ -81,10 +77,7 @@ bool walk(std::span<const WideNode> nodes, std::span<const Record> records,
 template <class Leaf>
 bool walk(std::span<const WideNode> nodes, std::span<const Record> records,
           const ShaftBounds& shaft, Leaf leaf) {
-  const auto call = [](void* context, std::uint32_t first, std::uint32_t count) -> bool {
-    return (*static_cast<Leaf*>(context))(first, count);
-  };
-  return walk(nodes, records, shaft, call, &leaf);
+  return walk(nodes, records, shaft, call_leaf<Leaf>, &leaf);
 }
 
 // One ray and one record at a time, on the compiler's baseline instruction set: the judge.

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Rays and shafts down any hierarchy, for those who bring tests of their own.
+#include <limits>
+#include <utility>
+
 #include "penumbra/kernel/kernel.h"
 #include "penumbra/kernel/traverse.h"
 
@@ -10,16 +13,45 @@
 //
 #include <hwy/highway.h>
 
-#include "penumbra/kernel/walk-inl.h"
+#include "penumbra/kernel/prefetch-inl.h"
+#include "penumbra/kernel/shaft-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace penumbra::HWY_NAMESPACE {
 
-bool Walk(std::span<const WideNode> nodes, const Ray& ray, VisitLeaf leaf, void* context) {
+/// Calls the leaves, until one ends the walk. `push(node, top)` puts those children of a node that
+/// are to be visited on the stack, the first on top, and returns the new top.
+template <class Push>
+HWY_INLINE bool walk_by(std::span<const WideNode> nodes, VisitLeaf leaf, void* context,
+                        Push&& push) {
   if (nodes.empty()) return false;
+  NodeRef stack[stack_size];
+  NodeRef* top = stack;
+  *top++ = NodeRef::inner(0);
+  while (top > stack) {
+    const NodeRef ref = *--top;
+    if (!ref.is_leaf())
+      top = push(nodes[ref.node()], top);
+    else if (leaf(context, ref.first(), ref.count()))
+      return true;
+  }
+  return false;
+}
+
+/// The nearest child first: what blocks one ray is often near what blocked the last.
+bool Walk(std::span<const WideNode> nodes, const Ray& ray, VisitLeaf leaf, void* context) {
   const Shaft shaft = make_shaft(ray.origin, ray.direction, ray.t_max);
-  return walk_from(nodes, NodeRef::inner(0), shaft, [&](std::uint32_t first, std::uint32_t count) {
-    return leaf(context, first, count);
+  return walk_by(nodes, leaf, context, [&](const WideNode& node, NodeRef* top) {
+    alignas(32) float near[WideNode::width];
+    NodeRef* nearest = top;
+    float least = std::numeric_limits<float>::infinity();
+    for (std::uint32_t met = overlap(shaft, node, near).met; met != 0; met &= met - 1) {
+      const int child = __builtin_ctz(met);
+      if (near[child] < least) least = near[child], nearest = top;
+      *top++ = node.child[child];
+    }
+    if (top > nearest) std::swap(*nearest, top[-1]);
+    return top;
   });
 }
 
@@ -43,28 +75,17 @@ HWY_INLINE std::uint32_t above_floor(const ShaftBounds& bounds, const WideNode& 
 
 bool WalkShaft(std::span<const WideNode> nodes, std::span<const Record> records,
                const ShaftBounds& bounds, VisitLeaf leaf, void* context) {
-  if (nodes.empty()) return false;
   Shaft shaft = make_shaft(bounds.receivers, bounds.least, bounds.most, 1);
   shaft.pad = 4 * box_pad;
-  NodeRef stack[stack_size];
-  int top = 0;
-  stack[top++] = NodeRef::inner(0);
-  while (top > 0) {
-    const NodeRef ref = stack[--top];
-    if (ref.is_leaf()) {
-      if (leaf(context, ref.first(), ref.count())) return true;
-      continue;
-    }
-    const WideNode& node = nodes[ref.node()];
+  return walk_by(nodes, leaf, context, [&](const WideNode& node, NodeRef* top) {
     alignas(32) float near[WideNode::width];
     std::uint32_t met = overlap(shaft, node, near).met & above_floor(bounds, node);
     for (; met != 0; met &= met - 1) {
-      const NodeRef child = node.child[__builtin_ctz(met)];
-      prefetch(nodes, records, child);
-      stack[top++] = child;
+      *top = node.child[__builtin_ctz(met)];
+      prefetch(nodes, records, *top++);
     }
-  }
-  return false;
+    return top;
+  });
 }
 
 }  // namespace penumbra::HWY_NAMESPACE

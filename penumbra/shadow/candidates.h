@@ -11,11 +11,11 @@
 
 namespace penumbra {
 
-/// Rows of numbers, one column a candidate. What is behind the last column is for lanes to load
-/// and to mask; memory is not cleared.
-template <std::size_t numbers>
+/// Rows of numbers, one column a candidate of that kind. What is behind the last column is for
+/// lanes to load and to mask; memory is not cleared.
+template <ShapeKind kind, std::size_t numbers>
 struct CandidateRows {
-  static constexpr std::size_t most = 1024, padded = most + 48;
+  static constexpr std::size_t most = 256, padded = most + 48;
   alignas(64) float row[numbers][padded];
   alignas(64) std::uint32_t index[padded];
   std::uint32_t count;
@@ -25,13 +25,18 @@ struct CandidateRows {
   }
 };
 
+using SphereRows = CandidateRows<ShapeKind::sphere, 4>;
+using RingRows = CandidateRows<ShapeKind::ring, 7>;
+using ConeRows = CandidateRows<ShapeKind::cone, 9>;
+using TriangleRows = CandidateRows<ShapeKind::triangle, 9>;
+
 /// Up to `most` of each kind.
 struct CandidateList {
-  static constexpr std::size_t most = CandidateRows<1>::most;
-  CandidateRows<4> spheres;    ///< centre 3, radius
-  CandidateRows<7> rings;      ///< centre 3, unit normal 3, radius
-  CandidateRows<9> cones;      ///< base 3, unit axis 3, height, base radius, apex radius
-  CandidateRows<9> triangles;  ///< corners
+  static constexpr std::size_t most = SphereRows::most;
+  SphereRows spheres;      ///< centre 3, radius
+  RingRows rings;          ///< centre 3, unit normal 3, radius
+  ConeRows cones;          ///< base 3, unit axis 3, height, base radius, apex radius
+  TriangleRows triangles;  ///< corners
 
   void clear() { spheres.count = rings.count = cones.count = triangles.count = 0; }
   std::size_t size() const { return spheres.count + rings.count + cones.count + triangles.count; }

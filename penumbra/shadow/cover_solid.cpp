@@ -113,15 +113,9 @@ bool hides(const ConeSolid& cone, const Sight& sight) {
   return hides_outline(cone, sight);
 }
 
-/// L.
-struct LightSet {
-  const LightShaft& shaft;
-  Vec3d support(Vec3d n) const { return shaft.c + shaft.light.spread(n); }
-};
-
 template <typename Solid>
 bool light_is_outside(const Solid& solid, Vec3d inner, const Sight& sight) {
-  return surely_apart(LightSet{sight.shaft}, solid, sight.shaft.c - inner,
+  return surely_apart(LightSet{sight.shaft.light, sight.shaft.c}, solid, sight.shaft.c - inner,
                       sight.margin + sight.doubt);
 }
 

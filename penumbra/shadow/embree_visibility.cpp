@@ -27,26 +27,18 @@ std::uint32_t full_call(EmbreeVariant variant) {
   return 32;  // what Embree takes from a stream at a time
 }
 
-void count(const Visibility& seen, std::uint32_t rays, ShadowCounters& counters) {
-  counters.rays += rays;
-  switch (seen.shadow_class) {
-    case ShadowClass::lit: ++counters.lit; break;
-    case ShadowClass::penumbra: ++counters.penumbra; break;
-    case ShadowClass::umbra: ++counters.umbra; break;
-  }
+void count(const Visibility& seen, ShadowCounters& counters) {
+  counters.rays += seen.rays;
+  counters.count(seen.shadow_class);
 }
 
 /// The answer of a point whose `blocked` is known.
 Visibility conclude(const SampleScratch& point, std::uint32_t rays, ShadowCounters& counters) {
   if (rays == 0) return {0, 0, ShadowClass::umbra};
   Visibility seen = sum_up(point);
-  const bool is_blocked = std::any_of(point.blocked.begin(), point.blocked.end(),
-                                      [](std::uint32_t word) { return word != 0; });
-  seen.shadow_class = seen.fraction == 0 ? ShadowClass::umbra
-                      : is_blocked       ? ShadowClass::penumbra
-                                         : ShadowClass::lit;
+  seen.shadow_class = class_by_samples(point, seen);
   seen.rays = rays;
-  count(seen, rays, counters);
+  count(seen, counters);
   return seen;
 }
 
@@ -113,7 +105,7 @@ class EmbreeAnswers {
       const bool is_free = is_traced && !(scratch_.blocked[i / 32] >> i % 32 & 1);
       seen[i] = is_free ? Visibility{1, 1, ShadowClass::lit, 1}
                         : Visibility{0, 0, ShadowClass::umbra, is_traced};
-      if (is_traced) count(seen[i], 1, counters_);
+      if (is_traced) count(seen[i], counters_);
     }
   }
 

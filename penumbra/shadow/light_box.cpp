@@ -5,8 +5,6 @@
 
 namespace penumbra {
 
-ExtentBox spread_box(const LightHull& light) { return {light.least_spread(), light.most_spread()}; }
-
 double greatest_doubt(const LightHull& light, const Box& receivers) {
   // Convex in p: one of the corners has the greatest.
   double greatest = 0;

@@ -16,21 +16,14 @@ namespace {
 /// Clearances that are tried where the ball around the light gives none, by the surface's extent.
 constexpr double tried[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5};
 
-struct LightSet {
-  const LightHull& light;
-  Vec3d center;
-  Vec3d support(Vec3d n) const { return center + light.spread(n); }
-};
-
 /// The largest of the tried clearances that all triangles keep, or -1.
 double proven_clearance(const ClosedSurface& surface, const LightSet& light, double extent) {
   std::size_t level = 0;
   for (const FlatTriangle& triangle : surface.triangles) {
-    const NearestPoint nearest = nearest_point(triangle, light.center);
+    const NearestPoint nearest = nearest_point(triangle, light.c);
     const double distance = std::sqrt(nearest.distance_squared) - light.light.size();
     while (!(distance > tried[level] * extent) &&
-           !surely_apart(light, FlatHull(triangle), light.center - nearest.point,
-                         tried[level] * extent))
+           !surely_apart(light, FlatHull(triangle), light.c - nearest.point, tried[level] * extent))
       if (++level == std::size(tried)) return -1;
   }
   return tried[level] * extent;

@@ -31,7 +31,7 @@ LightHull::LightHull(const LightShape& light, const Box& scene) {
   for (int axis = 0; axis < 3; ++axis) {
     Vec3d n;
     n[axis] = 1;
-    most_spread_[axis] = spread(n)[axis], least_spread_[axis] = spread(-n)[axis];
+    spread_box_.hi[axis] = spread(n)[axis], spread_box_.lo[axis] = spread(-n)[axis];
   }
 }
 

@@ -16,6 +16,23 @@ namespace penumbra {
 /// nothing so small is proven.
 inline constexpr double underflow_bound = 1e-18;
 
+/// The intersector divides lengths by those of rays: where a ray is so many times longer than what
+/// it may meet is far, float's range may not suffice, and nothing is proven.
+inline constexpr double greatest_ratio = 1e9;
+
+/// A box in double.
+struct ExtentBox {
+  Vec3d lo, hi;
+  /// The largest a . x.
+  double most(Vec3d a) const {
+    const Vec3d at_lo(a.x * lo.x, a.y * lo.y, a.z * lo.z),
+        at_hi(a.x * hi.x, a.y * hi.y, a.z * hi.z);
+    const Vec3d best = max(at_lo, at_hi);
+    return best.x + best.y + best.z;
+  }
+  double least(Vec3d a) const { return -most(-a); }
+};
+
 /// Prepared once a light. Where p is an argument it is a receiver point p'.
 ///
 /// A sun is no set of points: for each p it becomes the disk across its direction, so far from p
@@ -48,8 +65,7 @@ class LightHull {
   }
 
   /// The box of L - c.
-  Vec3d least_spread() const { return least_spread_; }
-  Vec3d most_spread() const { return most_spread_; }
+  const ExtentBox& spread_box() const { return spread_box_; }
 
   /// Lower bound of n . (l - p) over all samples l that p can be given, rounding included.
   double least_height(Vec3f p, Vec3d n) const;
@@ -71,7 +87,14 @@ class LightHull {
   bool is_sun_ = false, is_disk_ = false;
   Vec3d normal_;  // of disks and suns, unit
   std::vector<Vec3d> corners_;
-  Vec3d least_spread_, most_spread_;
+  ExtentBox spread_box_;
+};
+
+/// L, around the centre c.
+struct LightSet {
+  const LightHull& light;
+  Vec3d c;
+  Vec3d support(Vec3d n) const { return c + light.spread(n); }
 };
 
 /// The shaft from p to the light: the hull of p and L. It holds every segment to a sample, up to

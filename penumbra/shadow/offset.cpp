@@ -31,7 +31,7 @@ Vec3d hint(const PointHull& hull, const Segment& core) {
 Vec3d hint(const DiskHull& hull, const Segment& core) {
   return core.nearest(hull.center) - hull.center;
 }
-Vec3d hint(const TriangleHull& hull, const Segment& core) {
+Vec3d hint(const FlatHull& hull, const Segment& core) {
   const Vec3d middle = (hull.a + hull.b + hull.c) * (1.0 / 3);
   return core.nearest(middle) - middle;
 }
@@ -101,7 +101,7 @@ bool surely_misses_offset(const Record& record, const LightHull& light, Vec3f p,
 }
 
 Box offset_bounds(const Box& occluder, const LightHull& light, double t, const Box& receivers) {
-  const ExtentBox spread = spread_box(light);
+  const ExtentBox& spread = light.spread_box();
   const double pad = greatest_hit_bound(occluder, receivers) + greatest_doubt(light, receivers);
   const Vec3d all(pad, pad, pad);
   // The light is reflected: q = x + t (l - c).

@@ -6,6 +6,7 @@
 
 #include "penumbra/geometry/vec.h"
 #include "penumbra/kernel/record.h"
+#include "penumbra/shadow/flat_hull.h"
 
 #include <cmath>
 
@@ -56,16 +57,6 @@ struct ConeHull {
   }
 };
 
-struct TriangleHull {
-  Vec3d a, b, c;
-  explicit TriangleHull(const Record& triangle)
-      : a(triangle.vector(0)), b(triangle.vector(3)), c(triangle.vector(6)) {}
-  Vec3d support(Vec3d n) const {
-    const double at_a = dot(a, n), at_b = dot(b, n), at_c = dot(c, n);
-    return at_a > at_b ? (at_a > at_c ? a : c) : (at_b > at_c ? b : c);
-  }
-};
-
 /// Calls f with the record's hull.
 template <typename F>
 auto with_hull(const Record& record, F&& f) {
@@ -75,7 +66,7 @@ auto with_hull(const Record& record, F&& f) {
     case ShapeKind::ring: return f(DiskHull(record));
     case ShapeKind::triangle: break;
   }
-  return f(TriangleHull(record));
+  return f(FlatHull({record.vector(0), record.vector(3), record.vector(6)}));
 }
 
 /// Length within which hits of rays from p lie to the record's hull (intersect-inl.h, whose bounds

@@ -11,11 +11,6 @@
 
 namespace penumbra {
 
-bool is_any_blocked(const SampleScratch& scratch) {
-  return std::any_of(scratch.blocked.begin(), scratch.blocked.end(),
-                     [](std::uint32_t word) { return word != 0; });
-}
-
 namespace {
 
 /// One ray; the padding repeats it.
@@ -55,28 +50,28 @@ std::uint64_t count_bits(std::span<const std::uint32_t> words) {
   return bits;
 }
 
-/// Moves the rays that one record blocks from `remaining` to `blocked`; returns their number.
-std::uint64_t take_blocked(const Record& record, SampleScratch& scratch) {
-  occluded_by(record, scratch.samples, scratch.remaining, scratch.by_one);
-  for (std::size_t i = 0; i < scratch.remaining.size(); ++i) {
-    scratch.remaining[i] &= ~scratch.by_one[i];
-    scratch.blocked[i] |= scratch.by_one[i];
-  }
-  return count_bits(scratch.by_one);
-}
-
-/// Tries the cached occluders on all active rays.
+/// Tries the cached occluders on all active rays: moves those that one blocks from `remaining` to
+/// `blocked`.
 void ask_cache(const Kernel& kernel, OccluderQueue& queue, SampleScratch& scratch,
                ShadowCounters& counters) {
   for (const std::uint32_t record : std::array(queue.record)) {
     if (record == no_record) continue;
-    const std::uint64_t rays = count_bits(scratch.remaining);
-    if (rays == 0) return;
-    counters.tests += rays;
-    const std::uint64_t decided = take_blocked(kernel.records()[record], scratch);
-    counters.cache_decided += decided;
-    if (decided > 0) queue.move_to_front(record);
+    const OccludedReport report = occluded_among(kernel.records(), {&record, 1}, scratch.samples,
+                                                 scratch.remaining, scratch.by_one);
+    counters.tests += report.tests;
+    if (report.blocker == no_record) continue;
+    queue.move_to_front(record);
+    counters.cache_decided += count_bits(scratch.by_one);
+    for (std::size_t i = 0; i < scratch.remaining.size(); ++i) {
+      scratch.remaining[i] &= ~scratch.by_one[i];
+      scratch.blocked[i] |= scratch.by_one[i];
+    }
   }
+}
+
+bool is_any_blocked(const SampleScratch& scratch) {
+  return std::any_of(scratch.blocked.begin(), scratch.blocked.end(),
+                     [](std::uint32_t word) { return word != 0; });
 }
 
 /// Adds what a query of the remaining rays found.
@@ -185,6 +180,11 @@ Visibility sum_up(const SampleScratch& scratch) {
   result.cosine_weighted =
       all > 0 && std::isfinite(ratio) ? static_cast<float>(ratio) : result.fraction;
   return result;
+}
+
+ShadowClass class_by_samples(const SampleScratch& scratch, const Visibility& seen) {
+  if (seen.fraction == 0) return ShadowClass::umbra;
+  return is_any_blocked(scratch) ? ShadowClass::penumbra : ShadowClass::lit;
 }
 
 std::uint32_t take_samples(const ShadowScene& scene, std::uint32_t light, const Receiver& receiver,

@@ -50,10 +50,10 @@ std::uint64_t trace_word(const Kernel& kernel, std::span<const std::uint32_t> re
                          std::uint32_t word, OccluderQueue& queue, SampleScratch& scratch,
                          ShadowCounters& counters);
 
-/// Whether any sample is blocked.
-bool is_any_blocked(const SampleScratch& scratch);
-
 /// The visible part, given `blocked`; sums run in sample order. Without class.
 Visibility sum_up(const SampleScratch& scratch);
+
+/// The class that the samples tell: nothing is proven.
+ShadowClass class_by_samples(const SampleScratch& scratch, const Visibility& seen);
 
 }  // namespace penumbra

@@ -38,16 +38,13 @@ Box ReceiverGroup::bounds() const {
 }
 
 SeenLight seen_by_one(const LightForm& light, const ReceiverRows& rows, std::size_t index) {
-  return {&light,
-          false,
-          column(rows.p, index),
-          column(rows.normal, index),
-          column(rows.way, index),
-          rows.distance[index],
-          light.size,
-          rows.doubt[index],
-          0,
-          0};
+  return {.light = &light,
+          .p = column(rows.p, index),
+          .normal = column(rows.normal, index),
+          .way = column(rows.way, index),
+          .distance = rows.distance[index],
+          .size = light.size,
+          .doubt = rows.doubt[index]};
 }
 
 SeenLight seen_part(const SeenLight& sight, const LightSamples& samples, std::uint32_t word,

@@ -24,8 +24,8 @@ ShaftBounds bounds_of(const LightHull& light, const Box& receivers) {
   const Vec3d pad{doubt, doubt, doubt};
   const Vec3d from_lo = light.center(receivers.lo) - Vec3d(receivers.lo);
   const Vec3d from_hi = light.center(receivers.hi) - Vec3d(receivers.hi);
-  return {receivers, below(from_lo + light.least_spread() - pad),
-          above(from_hi + light.most_spread() + pad)};
+  return {receivers, below(from_lo + light.spread_box().lo - pad),
+          above(from_hi + light.spread_box().hi + pad)};
 }
 
 /// What is below the receivers' horizon blocks nothing. Hits may lie off by 64 ulp of the scene's

@@ -24,7 +24,7 @@ struct SheetLanes {
 };
 
 /// Which triangles have the receivers and the light surely on opposite sides of their plane.
-/// Slivers have no side to speak of.
+/// Slivers have no side to speak of, nor has what is too near beside the light.
 HWY_INLINE LaneMask stands_between(const SightLanes& sight, SheetLanes& t) {
   const Lane reach = max_of(largest(t.v[0]), largest(t.v[1]), largest(t.v[2]));
   t.margin = hn::Add(hn::Mul(all(0x1p-17f), hn::Add(reach, all(sight.radius))), all(2 * tiny));
@@ -39,9 +39,11 @@ HWY_INLINE LaneMask stands_between(const SightLanes& sight, SheetLanes& t) {
       hn::Add(hn::Add(kept_off, hn::Mul(size, all(sight.radius))), hn::Mul(rounding, t.far[0]));
   const Lane light = hn::Add(hn::Add(above, dot(up, sight.way)), sight.extent(up, size));
   const Lane light_pad = hn::Add(kept_off, hn::Mul(rounding, hn::Add(t.far[0], sight.reach)));
-  return hn::And(hn::Gt(size, hn::Max(hn::Mul(all(0x1p-14f), edges), all(1e-30f))),
-                 hn::And(hn::Gt(above, hn::Max(clear, all(1e-30f))),
-                         hn::Lt(hn::Add(light, light_pad), hn::Zero(lane_tag))));
+  const LaneMask in_range =
+      hn::And(hn::Gt(reach, sight.least_reach),
+              hn::Gt(size, hn::Max(hn::Mul(all(0x1p-14f), edges), all(1e-30f))));
+  return hn::And(in_range, hn::And(hn::Gt(above, hn::Max(clear, all(1e-30f))),
+                                   hn::Lt(hn::Add(light, light_pad), hn::Zero(lane_tag))));
 }
 
 /// Where all segments from receivers to samples cross the plane of the triangle on the inner side

@@ -15,56 +15,46 @@ namespace penumbra::HWY_NAMESPACE {
 
 /// Sixteen columns of a list.
 struct ColumnLanes {
-  template <std::size_t numbers>
-  static HWY_INLINE Lane load(const CandidateRows<numbers>& rows, std::size_t row,
-                              std::size_t first) {
+  template <class Rows>
+  static HWY_INLINE Lane load(const Rows& rows, std::size_t row, std::size_t first) {
     return hn::LoadU(lane_tag, rows.row[row] + first);
   }
 };
 
 /// One column in all lanes.
 struct ColumnBroadcast {
-  template <std::size_t numbers>
-  static HWY_INLINE Lane load(const CandidateRows<numbers>& rows, std::size_t row,
-                              std::size_t column) {
+  template <class Rows>
+  static HWY_INLINE Lane load(const Rows& rows, std::size_t row, std::size_t column) {
     return all(rows.row[row][column]);
   }
 };
 
-template <class Columns, std::size_t numbers>
-HWY_INLINE LaneVec load3(const CandidateRows<numbers>& rows, std::size_t row, std::size_t at) {
+template <class Columns, class Rows>
+HWY_INLINE LaneVec load3(const Rows& rows, std::size_t row, std::size_t at) {
   return {Columns::load(rows, row, at), Columns::load(rows, row + 1, at),
           Columns::load(rows, row + 2, at)};
 }
 
 // One test a kind: which lanes are missed, and which are covered.
 template <class Columns>
-HWY_INLINE Verdict test(const SightLanes& sight, const CandidateRows<4>& spheres, std::size_t at) {
+HWY_INLINE Verdict test(const SightLanes& sight, const SphereRows& spheres, std::size_t at) {
   return test_spheres(sight, load3<Columns>(spheres, 0, at), Columns::load(spheres, 3, at));
 }
 template <class Columns>
-HWY_INLINE Verdict test(const SightLanes& sight, const CandidateRows<7>& rings, std::size_t at) {
+HWY_INLINE Verdict test(const SightLanes& sight, const RingRows& rings, std::size_t at) {
   return {rings_missed(sight, load3<Columns>(rings, 0, at), load3<Columns>(rings, 3, at),
                        Columns::load(rings, 6, at)),
           none()};
 }
-struct Cones {
-  const CandidateRows<9>& rows;
-};
-struct Triangles {
-  const CandidateRows<9>& rows;
-};
 template <class Columns>
-HWY_INLINE Verdict test(const SightLanes& sight, const Cones& cones, std::size_t at) {
-  const CandidateRows<9>& r = cones.rows;
+HWY_INLINE Verdict test(const SightLanes& sight, const ConeRows& r, std::size_t at) {
   return {cones_missed(sight,
                        {load3<Columns>(r, 0, at), load3<Columns>(r, 3, at), Columns::load(r, 6, at),
                         Columns::load(r, 7, at), Columns::load(r, 8, at)}),
           none()};
 }
 template <class Columns>
-HWY_INLINE Verdict test(const SightLanes& sight, const Triangles& triangles, std::size_t at) {
-  const CandidateRows<9>& r = triangles.rows;
+HWY_INLINE Verdict test(const SightLanes& sight, const TriangleRows& r, std::size_t at) {
   return {triangles_missed(sight, {{load3<Columns>(r, 0, at), load3<Columns>(r, 3, at),
                                     load3<Columns>(r, 6, at)}}),
           none()};
@@ -80,21 +70,19 @@ HWY_INLINE std::uint32_t first_bit(std::uint32_t bits) {
   return static_cast<std::uint32_t>(__builtin_ctz(bits));
 }
 
-/// Calls f(rows, test's view of them) for each kind, spheres first, until f returns false.
+/// Calls f(rows) for each kind, spheres first, until f returns false.
 template <class F>
 HWY_INLINE void each_kind(const CandidateList& list, F&& f) {
-  if (f(list.spheres, list.spheres) && f(list.rings, list.rings) &&
-      f(list.cones, Cones{list.cones}))
-    f(list.triangles, Triangles{list.triangles});
+  if (f(list.spheres) && f(list.rings) && f(list.cones)) f(list.triangles);
 }
 
 void Sift(const CandidateList& list, const SeenLight& light, Sifted& out) {
   const SightLanes sight(light);
   out.record.clear();
   out.cover = no_record;
-  each_kind(list, [&](const auto& rows, const auto& view) {
+  each_kind(list, [&](const auto& rows) {
     for (std::size_t first = 0; first < rows.count; first += lane_count) {
-      const Verdict verdict = test<ColumnLanes>(sight, view, first);
+      const Verdict verdict = test<ColumnLanes>(sight, rows, first);
       const std::uint32_t used = used_lanes(rows.count, first);
       if (const std::uint32_t covers = bits_of(verdict.covers) & used) {
         out.cover = rows.index[first + first_bit(covers)];
@@ -108,15 +96,12 @@ void Sift(const CandidateList& list, const SeenLight& light, Sifted& out) {
 }
 
 /// Appends the columns of a group of lanes that are kept.
-template <std::size_t numbers>
-HWY_INLINE void copy(const CandidateRows<numbers>& from, std::size_t first, std::uint32_t kept,
-                     CandidateRows<numbers>& to) {
+template <class Rows>
+HWY_INLINE void copy(const Rows& from, std::size_t first, std::uint32_t kept, Rows& to) {
   if (kept == 0) return;
   const hn::Rebind<std::uint32_t, LaneTag> index_tag;
-  const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(kept),
-                                 static_cast<std::uint8_t>(kept >> 8)};
-  const LaneMask mask = hn::LoadMaskBits(lane_tag, bytes);
-  for (std::size_t row = 0; row < numbers; ++row)
+  const LaneMask mask = mask_of(kept);
+  for (std::size_t row = 0; row < std::size(from.row); ++row)
     hn::StoreU(hn::Compress(ColumnLanes::load(from, row, first), mask), lane_tag,
                to.row[row] + to.count);
   hn::StoreU(
@@ -129,9 +114,9 @@ std::uint32_t SiftForAll(const CandidateList& list, const SeenLight& light, Cand
   const SightLanes sight(light);
   out.clear();
   std::uint32_t cover = no_record;
-  const auto sift_kind = [&](const auto& rows, const auto& view, auto& kept_rows) {
+  const auto sift_kind = [&](const auto& rows, auto& kept_rows) {
     for (std::size_t first = 0; first < rows.count; first += lane_count) {
-      const Verdict verdict = test<ColumnLanes>(sight, view, first);
+      const Verdict verdict = test<ColumnLanes>(sight, rows, first);
       const std::uint32_t used = used_lanes(rows.count, first);
       if (const std::uint32_t covers = bits_of(verdict.covers) & used) {
         cover = rows.index[first + first_bit(covers)];
@@ -140,11 +125,11 @@ std::uint32_t SiftForAll(const CandidateList& list, const SeenLight& light, Cand
       copy(rows, first, ~bits_of(verdict.missed) & used, kept_rows);
     }
   };
-  sift_kind(list.spheres, list.spheres, out.spheres);
+  sift_kind(list.spheres, out.spheres);
   if (cover != no_record) return cover;
-  sift_kind(list.rings, list.rings, out.rings);
-  sift_kind(list.cones, Cones{list.cones}, out.cones);
-  sift_kind(list.triangles, Triangles{list.triangles}, out.triangles);
+  sift_kind(list.rings, out.rings);
+  sift_kind(list.cones, out.cones);
+  sift_kind(list.triangles, out.triangles);
   return no_record;
 }
 
@@ -152,12 +137,12 @@ void SiftRows(const CandidateList& list, const LightForm& light, const ReceiverG
               SiftedRows& out) {
   out.candidate.clear();
   out.covered = out.kept = 0;
-  each_kind(list, [&](const auto& rows, const auto& view) {
+  each_kind(list, [&](const auto& rows) {
     for (std::size_t column = 0; column < rows.count; ++column) {
       std::uint64_t kept = 0;
       for (std::size_t first = 0; first < group.count; first += lane_count) {
         const SightLanes sight(light, group.rows, group.first + first);
-        const Verdict verdict = test<ColumnBroadcast>(sight, view, column);
+        const Verdict verdict = test<ColumnBroadcast>(sight, rows, column);
         const std::uint32_t used = used_lanes(group.count, first);
         kept |= std::uint64_t(~bits_of(verdict.missed) & used) << first;
         out.covered |= std::uint64_t(bits_of(verdict.covers) & used) << first;

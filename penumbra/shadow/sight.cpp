@@ -42,7 +42,7 @@ double reach_of(const Record& record, Vec3d p) {
 
 bool is_in_range(const Record& record, const LightHull& light, Vec3f p) {
   const double distance = length(light.center(p) - Vec3d(p)) + light.size();
-  return light.is_sun() || distance < 1e9 * reach_of(record, Vec3d(p));
+  return light.is_sun() || distance < greatest_ratio * reach_of(record, Vec3d(p));
 }
 
 double intersector_margin(const Record& record, const LightHull& light, Vec3f p) {
@@ -50,7 +50,7 @@ double intersector_margin(const Record& record, const LightHull& light, Vec3f p)
   const double distance = length(light.center(p) - Vec3d(p)) + light.size();
   // The intersector multiplies three lengths, and divides a chord by the ray's length. NaN fails.
   const bool is_in_range =
-      reach > 1e-9 && reach < 1e9 && distance < 1e9 * reach && distance > 1e-15;
+      reach > 1e-9 && reach < 1e9 && distance < greatest_ratio * reach && distance > 1e-15;
   return is_in_range ? 0x1p-18 * reach : std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -24,7 +24,7 @@ struct Sight {
 };
 
 /// Whether float's range suffices for what the intersector computes of the record and rays from p
-/// to the light: it divides a chord by a ray's length. What is smaller than 10^-9 of that is not.
+/// to the light (`greatest_ratio`).
 bool is_in_range(const Record& record, const LightHull& light, Vec3f p);
 
 /// 64 ulp of the intersector: of the record's farthest box coordinate from p. NaN where float's

@@ -22,23 +22,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace penumbra::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using LaneTag = hn::CappedTag<float, 16>;
-using Lane = hn::Vec<LaneTag>;
-using LaneMask = hn::Mask<LaneTag>;
 using LaneVec = Vec3Lanes<Lane>;
-constexpr LaneTag lane_tag;
-constexpr std::size_t lane_count = hn::MaxLanes(LaneTag());
 constexpr float sum_pad = 0x1p-20f;
 /// What is nearer than this to anything may be hit for lack of float's range.
 constexpr float tiny = 2e-18f;
 
-HWY_INLINE std::uint32_t bits_of(LaneMask mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(lane_tag, mask, bytes);
-  return bytes[0] | std::uint32_t(bytes[1]) << 8;
-}
 HWY_INLINE LaneMask none() { return hn::FirstN(lane_tag, 0); }
 HWY_INLINE Lane all(float x) { return hn::Set(lane_tag, x); }
 HWY_INLINE LaneVec all(Vec3f v) { return {all(v.x), all(v.y), all(v.z)}; }
@@ -93,11 +81,9 @@ struct SightLanes {
   Lane distance, doubt;
   float radius = 0, floor = 0;  // r, of the receivers
   Lane size;                    // R, with all rounding
-  Lane taper;  // R - r: the shaft's cross-section at t has the radius r + t (R - r)
-  Lane reach;  // farther than any sample
-  // The intersector divides lengths by those of rays: what lies all within so little beside them
-  // leaves float's range, and of it nothing is proven. A sun's rays have unit length.
-  Lane least_reach;
+  Lane taper;        // R - r: the shaft's cross-section at t has the radius r + t (R - r)
+  Lane reach;        // farther than any sample
+  Lane least_reach;  // of what something is proven (`greatest_ratio`); a sun's rays are unit
 
   /// The largest m . (l - c) over the samples, rounded up.
   HWY_INLINE Lane extent(const LaneVec& m, Lane length) const {
@@ -121,7 +107,8 @@ struct SightLanes {
   HWY_INLINE void add_sizes(float of_light) {
     size = hn::Mul(hn::Add(all(of_light), doubt), all(1 + sum_pad));
     taper = hn::Sub(size, all(radius));
-    least_reach = light.is_sun ? hn::Zero(lane_tag) : hn::Mul(distance, all(1e-9f));
+    constexpr float least_ratio = 1 / greatest_ratio;
+    least_reach = light.is_sun ? hn::Zero(lane_tag) : hn::Mul(distance, all(least_ratio));
     reach = hn::Add(hn::Mul(distance, all(1 + sum_pad)), hn::Add(size, all(radius)));
   }
 };

@@ -20,6 +20,7 @@ constexpr std::size_t most_of(std::size_t receivers) {
   return receivers > 16 ? 256 : receivers > 4 ? 96 : 48;
 }
 constexpr std::size_t most_of_one = 40;
+static_assert(most_of(ReceiverRows::most) <= CandidateList::most);
 /// Candidates so few that a group is not split any more.
 constexpr std::size_t listed = 32;
 /// Candidates of one receiver so few that double precision looks at each.
@@ -54,8 +55,9 @@ class Tile {
     std::uint64_t pending = 0;
     for (std::size_t i = 0; i < queries_.size(); ++i) {
       const std::uint64_t bit = 1ull << i;
+      // In doubt: p' in the light, far outside the scene, or no number.
       if (!(bits.certain & bit) && !((bits.near & bit) && is_outside_light(i)))
-        answers_[i] = in_doubt(i);
+        answers_[i] = by_packets(i, ShadowClass::penumbra);
       else if (bits.below & bit)
         answers_[i] = {0, 0, ShadowClass::umbra};
       else
@@ -91,7 +93,7 @@ class Tile {
     if (is_gathered) parent = &gathered();
     CandidateList* list = nullptr;
     if (parent) {
-      list = &scratch_.list[level];
+      list = &scratch_.list[TileScratch::of_groups + level];
       if (sift_for_all(*parent, sight, *list) != no_record)
         return all_are(first, count, ShadowClass::umbra);
       if (is_gathered) queue_.list[level_of(count)].note(list->size() <= most_of(count) / 4);
@@ -107,7 +109,7 @@ class Tile {
       answer_group(first + from, std::min(part, count - from), list, level + 1);
   }
 
-  CandidateList& gathered() { return scratch_.list[TileScratch::levels]; }
+  CandidateList& gathered() { return scratch_.list[TileScratch::gathered]; }
 
   bool gather(const ReceiverGroup& receivers, const SeenLight& sight, std::size_t most) {
     Backoff& backoff = queue_.list[level_of(receivers.count)];
@@ -164,7 +166,7 @@ class Tile {
 
   Visibility proven(std::size_t row, ShadowClass shadow_class) {
     const bool is_above = above_ >> row & 1;
-    if (!is_above && !take(row)) return {0, 0, ShadowClass::umbra};
+    if (!is_above && !take(scratch_.query[row])) return {0, 0, ShadowClass::umbra};
     counters_.count(shadow_class);
     if (shadow_class == ShadowClass::umbra) return {0, 0, shadow_class};
     return is_above ? Visibility{1, 1, shadow_class} : summed(shadow_class, 0);
@@ -178,7 +180,8 @@ class Tile {
         !scene_.sheet.is_empty() && samples_.pattern.size() >= samples_worth_a_sheet;
     if (!list) {
       const bool is_umbra = may_have_sheet && tries_sheet(seen, 1);
-      return void(answer_at(row) = is_umbra ? proven(row, ShadowClass::umbra) : by_packets(row));
+      return void(answer_at(row) = is_umbra ? proven(row, ShadowClass::umbra)
+                                            : by_packets(scratch_.query[row], ShadowClass::umbra));
     }
     sift(*list, seen, scratch_.sifted);
     if (is_gathered) queue_.list[level_of(1)].note(scratch_.sifted.record.size() <= worth_list);
@@ -190,9 +193,9 @@ class Tile {
       answer_at(row) = by_records(row);
   }
 
-  /// Returns whether any sample is above the horizon.
-  bool take(std::size_t row) {
-    const ShadowQuery& query = queries_[scratch_.query[row]];
+  /// Takes the samples of query i; returns whether any is above the horizon.
+  bool take(std::size_t i) {
+    const ShadowQuery& query = queries_[i];
     return take_samples(scene_, light_, query.receiver, query.key, samples_) > 0;
   }
 
@@ -222,7 +225,7 @@ class Tile {
   Visibility by_records(std::size_t row) {
     const ShadowClass proof = look_closely(row);
     if (proof != ShadowClass::penumbra) return proven(row, proof);
-    if (!take(row)) return {0, 0, ShadowClass::umbra};
+    if (!take(scratch_.query[row])) return {0, 0, ShadowClass::umbra};
     counters_.count(ShadowClass::penumbra);
     std::vector<std::uint32_t>& records = scratch_.sifted.record;
     const auto last = std::find(records.begin(), records.end(), queue_.record[0]);
@@ -234,7 +237,7 @@ class Tile {
                  : trace_samples(*scene_.kernel, records, queue_, samples_, counters_);
       return summed(ShadowClass::penumbra, rays);
     }
-    CandidateList& list = scratch_.list[TileScratch::levels + 1];
+    CandidateList& list = scratch_.list[TileScratch::of_one];
     list.clear();
     for (const std::uint32_t i : records) list.add(scene_.kernel->records()[i], i);
     const SeenLight seen = seen_by_one(form_, scratch_.rows, row);
@@ -248,8 +251,9 @@ class Tile {
     return summed(ShadowClass::penumbra, rays);
   }
 
-  Visibility by_packets(std::size_t row) {
-    if (!take(row)) return {0, 0, ShadowClass::umbra};
+  /// Nothing is proven. `unseen`: the class where no sample is above the horizon.
+  Visibility by_packets(std::size_t i, ShadowClass unseen) {
+    if (!take(i)) return {0, 0, unseen};
     counters_.count(ShadowClass::penumbra);
     return summed(ShadowClass::penumbra,
                   trace_samples(*scene_.kernel, queue_, samples_, counters_));
@@ -257,16 +261,6 @@ class Tile {
 
   bool is_outside_light(std::size_t i) const {
     return !contains(scene_.lights[light_], queries_[i].receiver.position);
-  }
-
-  /// p' in the light, far outside the scene, or no number: nothing is proven.
-  Visibility in_doubt(std::size_t i) {
-    const ShadowQuery& query = queries_[i];
-    if (take_samples(scene_, light_, query.receiver, query.key, samples_) == 0)
-      return {0, 0, ShadowClass::penumbra};
-    counters_.count(ShadowClass::penumbra);
-    return summed(ShadowClass::penumbra,
-                  trace_samples(*scene_.kernel, queue_, samples_, counters_));
   }
 
   Visibility summed(ShadowClass shadow_class, std::uint64_t rays) {

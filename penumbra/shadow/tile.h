@@ -19,18 +19,19 @@
 
 namespace penumbra {
 
-/// Memory that is reused between tiles: 0.9 MB, of which most is never touched.
+/// Memory that is reused between tiles: 0.2 MB, of which most is never touched.
 struct TileScratch {
   TileScratch() = default;
   /// What it holds is of no use to another: a copy begins anew.
   TileScratch(const TileScratch&) : TileScratch() {}
   TileScratch& operator=(const TileScratch&) { return *this; }
 
-  static constexpr std::size_t levels = 4;
+  /// For groups of up to 64, 16 and 4 receivers, each sifted from the one before; what a query
+  /// gathered; and one receiver's, to be sifted for parts of the light.
+  enum List : std::size_t { of_groups = 0, gathered = 3, of_one, lists };
   ReceiverRows rows;
   std::array<std::uint32_t, ReceiverRows::most> query;  ///< of each row
-  std::unique_ptr<CandidateList[]> list =
-      std::make_unique_for_overwrite<CandidateList[]>(levels + 2);
+  std::unique_ptr<CandidateList[]> list = std::make_unique_for_overwrite<CandidateList[]>(lists);
   Sifted sifted;
   SiftedRows sifted_rows;
   SheetScratch sheet;

@@ -21,11 +21,6 @@ bool is_surely_above(const LightHull& light, const Receiver& receiver) {
   return is_safe && light.least_height(receiver.position, Vec3d(receiver.normal)) > 0;
 }
 
-ShadowClass class_by_samples(const SampleScratch& scratch, const Visibility& seen) {
-  if (seen.fraction == 0) return ShadowClass::umbra;
-  return is_any_blocked(scratch) ? ShadowClass::penumbra : ShadowClass::lit;
-}
-
 /// All but `shaft`.
 Visibility answer(const ShadowScene& scene, std::uint32_t light, const ShadowQuery& query,
                   const ProofBudget& budget, OccluderQueue& queue, SampleScratch& scratch,

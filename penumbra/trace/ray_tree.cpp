@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/trace/ray_tree.h"
 
-#include <chrono>
+#include "penumbra/trace/clock.h"
 
 namespace penumbra {
 namespace {
-
-double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// Rays at one node of their trees, and what each adds to its parent.
 struct Wave {
@@ -65,7 +61,7 @@ class Trees {
   /// Light of its own and from the lamps, reflected at each point.
   void shade(const Wave& wave, const std::vector<std::uint32_t>& hits,
              const std::vector<ShadingPoint>& points, std::size_t first_node) {
-    const double start = seconds_now();
+    const double start = now_seconds();
     std::vector<Color> sums;
     std::vector<ShadowQuery> queries(points.size());
     for (const ShadingPoint& point : points)
@@ -90,7 +86,7 @@ class Trees {
       }
     }
     for (std::size_t k = 0; k < points.size(); ++k) add(wave, hits[k], sums[k]);
-    scratch_.shadow_seconds += seconds_now() - start;
+    scratch_.shadow_seconds += now_seconds() - start;
   }
 
   /// The next two waves. Total reflection carries what would have gone through.

@@ -6,10 +6,10 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <chrono>
 #include <mutex>
 
 #include "penumbra/trace/block.h"
+#include "penumbra/trace/clock.h"
 #include "penumbra/trace/layers.h"
 #include "penumbra/trace/pixel.h"
 
@@ -68,7 +68,7 @@ class Squares {
 }  // namespace
 
 Picture render(const Scene& scene, const ShadowScene& shadows, const RenderOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const double start = now_seconds();
   Picture picture;
   picture.image = make_layers(options.width, options.height, options.aovs, scene.lights.size());
   picture.threads = options.threads > 0
@@ -99,8 +99,7 @@ Picture render(const Scene& scene, const ShadowScene& shadows, const RenderOptio
   });
   picture.counters = totals.counters;
   picture.seconds.shadow = totals.shadow_seconds / picture.threads;
-  picture.seconds.render =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  picture.seconds.render = now_seconds() - start;
   return picture;
 }
 

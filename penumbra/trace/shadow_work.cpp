@@ -7,19 +7,15 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <mutex>
 #include <utility>
 
+#include "penumbra/trace/clock.h"
 #include "penumbra/trace/prepare.h"
 
 namespace penumbra {
 namespace {
-
-double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 void append(const ShadowWork& work, std::size_t block, ShadowWork& to) {
   for (std::size_t b = work.blocks[block]; b < work.blocks[block + 1]; ++b) {
@@ -61,7 +57,7 @@ WorkDone answer_by(const ShadowWork& work, std::span<Worker> workers, std::span<
   arena.initialize();
 
   WorkDone done;
-  const double start = seconds_now();
+  const double start = now_seconds();
   if (workers.size() == 1) {
     for (std::size_t i = 0; i < blocks; ++i) answer_block(work, i, workers[0], desks[0], seen);
   } else {
@@ -77,7 +73,7 @@ WorkDone answer_by(const ShadowWork& work, std::span<Worker> workers, std::span<
           tbb::simple_partitioner());
     });
   }
-  done.seconds = seconds_now() - start;
+  done.seconds = now_seconds() - start;
   for (const Desk& desk : desks) done.counters.add(desk.counters);
   return done;
 }

@@ -89,7 +89,7 @@ TEST(Traverse, TheBlockerThatIsReportedBlocksSomeRay) {
     const bool any = blocked != std::vector<std::uint32_t>(count);
     ASSERT_EQ(report.blocker != no_record, any);
     if (!any) return;
-    occluded_by(kernel.records()[report.blocker], rays, active, by_one);
+    occluded_among(kernel.records(), {&report.blocker, 1}, rays, active, by_one);
     EXPECT_NE(by_one, std::vector<std::uint32_t>(count));
     for (std::size_t word = 0; word < count; ++word) EXPECT_EQ(by_one[word] & ~blocked[word], 0u);
     ++found;
@@ -102,9 +102,9 @@ TEST(Traverse, OneRecordBlocksWhatBruteForceSaysItBlocks) {
     const std::size_t count = (rays.count + 31) / 32;
     std::vector<std::uint32_t> active(count, 0xffffffffu), lanes(count), one(count);
     active.back() >>= 32 * count - rays.count;
-    for (const Record& record : kernel.records()) {
-      occluded_by(record, rays, active, lanes);
-      occluded_brute({&record, 1}, rays, active, one);
+    for (std::uint32_t i = 0; i < kernel.records().size(); ++i) {
+      occluded_among(kernel.records(), {&i, 1}, rays, active, lanes);
+      occluded_brute({&kernel.records()[i], 1}, rays, active, one);
       ASSERT_EQ(lanes, one);
     }
   });

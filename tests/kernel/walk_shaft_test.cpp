@@ -141,8 +141,8 @@ void judge(const Kernel& kernel, const std::vector<bool>& visited, const LightSa
   std::vector<std::uint32_t> blocked(active.size());
   const std::vector<std::uint32_t> none(active.size());
   count.rays += rays.count;
-  for (std::size_t i = 0; i < visited.size(); ++i) {
-    occluded_by(kernel.records()[i], rays, active, blocked);
+  for (std::uint32_t i = 0; i < visited.size(); ++i) {
+    occluded_among(kernel.records(), {&i, 1}, rays, active, blocked);
     ++count.records, count.visited += visited[i];
     if (blocked == none) continue;
     ++count.blocked;

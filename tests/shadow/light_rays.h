@@ -55,7 +55,8 @@ inline LightSamples judging_rays(const LightShape& light, Vec3f p, const SampleP
 inline std::vector<std::uint32_t> blocked_rays(const Record& record, const LightSamples& rays) {
   std::vector<std::uint32_t> active((rays.count + 31) / 32, ~0u), blocked(active.size());
   if (rays.count % 32 != 0) active.back() = (1u << rays.count % 32) - 1;
-  occluded_by(record, rays, active, blocked);
+  const std::uint32_t only = 0;
+  occluded_among({&record, 1}, {&only, 1}, rays, active, blocked);
   return blocked;
 }
 

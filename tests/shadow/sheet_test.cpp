@@ -106,6 +106,16 @@ TEST(SheetCovers, OneTriangleHidesASmallLight) {
   EXPECT_FALSE(covers(one, BallLight{{0, 0, 4}, 1}, {on_it}));
 }
 
+TEST(SheetCovers, NothingIsProvenBesideALightTooFarForFloat) {
+  Mesh mesh;
+  mesh.positions = {{-3e-3f, -3e-3f, 0}, {3e-3f, -3e-3f, 0}, {0, 3e-3f, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  const Sheet tiny(mesh);
+  const ShadowQuery close{{{0, 0, -4e-3f}, {0, 0, 1}}, 0};
+  EXPECT_TRUE(covers(tiny, BallLight{{0, 0, 1e6f}, 1e5f}, {close}));
+  EXPECT_FALSE(covers(tiny, BallLight{{0, 0, 2e7f}, 2e6f}, {close}));
+}
+
 /// A cloth at z = 0 over [-1, 1]², 8 x 8 quads.
 Mesh flat_cloth() {
   nasty::Random random(4);

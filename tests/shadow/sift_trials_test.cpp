@@ -78,7 +78,8 @@ void judge_part(const CandidateList& list, const SeenLight& sight, const Record&
   if (random.one_in(2)) wanted[word] &= random.below(~0u);
   if (wanted[word] == 0) return;
   sift(list, seen_part(sight, judged.rays, word, wanted[word]), sifts.one);
-  occluded_by(record, judged.rays, wanted, blocked);
+  const std::uint32_t only = 0;
+  occluded_among({&record, 1}, {&only, 1}, judged.rays, wanted, blocked);
   const bool is_covered = sifts.one.cover != no_record;
   ASSERT_TRUE(blocked == wanted || !is_covered) << "word " << word;
   ASSERT_TRUE(blocked[word] == 0 || is_covered || !sifts.one.record.empty()) << "word " << word;
