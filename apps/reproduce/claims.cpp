@@ -82,7 +82,7 @@ class Judge {
     return results_.of(setting(scene), Contender{method, RayGrouping::single});
   }
   Setting setting(PaperSceneIndex scene) const {
-    return table_setting(results_.plan.scenes[scene]);
+    return table_setting(results_.plan, results_.plan.scenes[scene]);
   }
   double time(PaperSceneIndex scene, Method method) const {
     return of(scene, method).row.render.median;
@@ -145,7 +145,7 @@ std::string gain_by_light(const Results& results) {
   std::vector<double> gains;
   std::vector<std::string> figures;
   for (std::size_t i = 0; i < paper_lights.size(); ++i) {
-    const Setting s = table4_setting(i);
+    const Setting s = table4_setting(results.plan, i);
     const Contender plain{Method::stochastic, RayGrouping::single};
     gains.push_back(results.of(s, plain).row.render.median /
                     best_proof(results, s).row.render.median);

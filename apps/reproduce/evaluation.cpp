@@ -28,7 +28,7 @@ std::vector<std::pair<std::string, std::string>> setting(const Results& results,
       {"Paper's picture",
        fmt::format("{0} × {0} pixels, rays through pixels' corners, ray trees of "
                    "at most 5, d = {1}, lights that are balls",
-                   paper_size, paper_samples)},
+                   plan.paper_size, paper_samples)},
       {"Scenes (light radius)", scenes_text(plan)},
       {"Rounds",
        fmt::format("{} at the paper's size, {} beyond; all methods in turn in each round, "

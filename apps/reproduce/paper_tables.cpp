@@ -30,7 +30,8 @@ Row scene_row(const Results& results, std::string label,
               const std::function<Cell(const Setting&, const PaperScene&)>& cell) {
   Row row{std::move(label), {}, false};
   for (const PaperSceneIndex scene : all_scenes) {
-    row.cells.push_back(cell(table_setting(results.plan.scenes[scene]), paper_scenes[scene]));
+    row.cells.push_back(
+        cell(table_setting(results.plan, results.plan.scenes[scene]), paper_scenes[scene]));
     if (!is_built_in(results.plan, scene)) row.cells.back().paper.clear();
   }
   return row;
@@ -159,7 +160,7 @@ Table tests_per_ray(const Results& results) {
     for (const Variant& variant : variants()) {
       if (variant.is_beyond != is_beyond || variant.method == embree) continue;
       add(variant, "I_geom", tests_a_ray);
-      const Setting any = table_setting(results.plan.scenes[balls4]);
+      const Setting any = table_setting(results.plan, results.plan.scenes[balls4]);
       if (results.of(any, variant.method).row.counters.shadow.set_rays > 0)
         add(variant, "I_shadow", [](const RenderCounters& n) { return set_tests_a_ray(n.shadow); });
     }
@@ -204,7 +205,8 @@ Table light_sizes(const Results& results) {
   const auto add = [&](const std::string& label, bool is_beyond, auto measured) {
     Row row{label, {}, is_beyond};
     for (std::size_t i = 0; i < paper_lights.size(); ++i)
-      row.cells.push_back(relative_time(results, table4_setting(i), measured(table4_setting(i))));
+      row.cells.push_back(relative_time(results, table4_setting(results.plan, i),
+                                        measured(table4_setting(results.plan, i))));
     table.rows.push_back(std::move(row));
   };
   for (const Variant& variant : variants()) {

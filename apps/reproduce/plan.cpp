@@ -65,7 +65,7 @@ Plan make_plan(Effort effort, const std::string& molecule_file, const std::strin
       largest = 5;
       break;
     case Effort::smoke:
-      p.rounds = 1, p.large_rounds = 1;
+      p.paper_size = 32, p.rounds = 1, p.large_rounds = 1;
       p.sample_scenes = {cylinders}, p.beyond_scenes = {balls4};
       p.sample_counts = {1, 8}, p.reference_samples = 64;
       p.light_radii = {"5%", "20%"}, p.large_size = 32;
@@ -111,11 +111,11 @@ std::vector<Task> tasks_of(const Plan& plan) {
                      rounds});
   };
   for (const PlannedScene& scene : plan.scenes)
-    add(table_setting(scene), table_contenders(), plan.rounds);
+    add(table_setting(plan, scene), table_contenders(), plan.rounds);
   for (std::size_t i = 0; i < paper_lights.size(); ++i)
-    add(table4_setting(i), table_contenders(), plan.rounds);
+    add(table4_setting(plan, i), table_contenders(), plan.rounds);
   for (const PaperSceneIndex i : plan.sample_scenes) {
-    add(samples_setting(plan.scenes[i], 0),
+    add(samples_setting(plan, plan.scenes[i], 0),
         {single(Method::stochastic), single(Method::reduced), single(Method::umbra), plain, shaft},
         plan.large_rounds);
     tasks.back().shadow_samples = plan.sample_counts;
@@ -137,17 +137,17 @@ Setting setting_of(const Task& task, std::uint32_t shadow_samples) {
   return {task.experiment, task.scene, task.light_radius, task.size, shadow_samples};
 }
 
-Setting table_setting(const PlannedScene& scene) {
-  return {"tables", scene.scene, scene.light_radius, paper_size, paper_samples};
+Setting table_setting(const Plan& plan, const PlannedScene& scene) {
+  return {"tables", scene.scene, scene.light_radius, plan.paper_size, paper_samples};
 }
 
-Setting table4_setting(std::size_t light) {
-  return {"table 4", table4_scene, fmt::format("{:.6g}", paper_lights[light].value), paper_size,
-          paper_samples};
+Setting table4_setting(const Plan& plan, std::size_t light) {
+  return {"table 4", table4_scene, fmt::format("{:.6g}", paper_lights[light].value),
+          plan.paper_size, paper_samples};
 }
 
-Setting samples_setting(const PlannedScene& scene, std::uint32_t shadow_samples) {
-  return {"samples", scene.scene, scene.light_radius, paper_size, shadow_samples};
+Setting samples_setting(const Plan& plan, const PlannedScene& scene, std::uint32_t shadow_samples) {
+  return {"samples", scene.scene, scene.light_radius, plan.paper_size, shadow_samples};
 }
 
 Setting light_setting(const Plan& plan, const PlannedScene& scene, const std::string& radius) {

@@ -28,7 +28,8 @@ enum class Effort { full, quick, smoke };
 struct Plan {
   Effort effort = Effort::full;
   std::array<PlannedScene, 5> scenes;
-  std::uint32_t rounds = 0, large_rounds = 0;  ///< at the paper's size; beyond it
+  std::uint32_t paper_size = 128;  ///< its pictures': smaller for a smoke test alone
+  std::uint32_t rounds = 0, large_rounds = 0;  ///< of the tables; of all else
   std::vector<PaperSceneIndex> sample_scenes;  ///< time against d: three in the paper
   std::vector<std::uint32_t> sample_counts;
   std::uint32_t reference_samples = 0;  ///< of the pictures that errors are measured against
@@ -65,7 +66,7 @@ struct Task {
 
 std::vector<Task> tasks_of(const Plan& plan);
 
-inline constexpr std::uint32_t paper_size = 128, paper_samples = 32;
+inline constexpr std::uint32_t paper_samples = 32;
 inline constexpr const char* table4_scene = "balls:3";
 
 /// The paper's (a) to (e), as tracers of its time did them.
@@ -74,9 +75,9 @@ std::vector<Contender> paper_contenders();
 Setting setting_of(const Task& task, std::uint32_t shadow_samples);
 
 // Of the experiments' tasks.
-Setting table_setting(const PlannedScene& scene);
-Setting table4_setting(std::size_t light);
-Setting samples_setting(const PlannedScene& scene, std::uint32_t shadow_samples);
+Setting table_setting(const Plan& plan, const PlannedScene& scene);
+Setting table4_setting(const Plan& plan, std::size_t light);
+Setting samples_setting(const Plan& plan, const PlannedScene& scene, std::uint32_t shadow_samples);
 Setting light_setting(const Plan& plan, const PlannedScene& scene, const std::string& radius);
 Setting size_setting(const Plan& plan, const PlannedScene& scene, std::uint32_t size);
 Setting growth_setting(const Plan& plan, const std::string& scene);

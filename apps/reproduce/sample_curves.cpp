@@ -33,7 +33,7 @@ Curve time_curve(const Results& results, const PlannedScene& scene, int contest)
   const auto& [name, method] = contests()[static_cast<std::size_t>(contest)];
   Curve curve{name, {}, CurveKind::fitted, fitted_time(results, scene, method), contest};
   for (const std::uint32_t d : results.plan.sample_counts) {
-    const Timing& t = results.of(samples_setting(scene, d), method).row.render;
+    const Timing& t = results.of(samples_setting(results.plan, scene, d), method).row.render;
     curve.points.push_back({double(d), 1000 * t.median, 1000 * t.low, 1000 * t.high});
   }
   curve.fit.intercept *= 1000, curve.fit.slope *= 1000;
@@ -44,7 +44,7 @@ Curve error_curve(const Results& results, const PlannedScene& scene, int contest
   const auto& [name, method] = contests()[static_cast<std::size_t>(contest)];
   Curve curve{name, {}, CurveKind::points, {}, contest};
   for (const std::uint32_t d : results.plan.sample_counts) {
-    const Measurement& m = results.of(samples_setting(scene, d), method);
+    const Measurement& m = results.of(samples_setting(results.plan, scene, d), method);
     curve.points.push_back({1000 * m.row.render.median, m.rmse, m.rmse, m.rmse});
   }
   return curve;
@@ -65,7 +65,8 @@ std::string figure_name(PaperSceneIndex scene) {
 Line fitted_time(const Results& results, const PlannedScene& scene, const std::string& method) {
   double w = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (const std::uint32_t d : results.plan.sample_counts) {
-    const double seconds = results.of(samples_setting(scene, d), method).row.render.median;
+    const double seconds =
+        results.of(samples_setting(results.plan, scene, d), method).row.render.median;
     const double weight = 1 / (seconds * seconds);
     w += weight, x += weight * d, y += weight * seconds;
     xx += weight * d * d, xy += weight * d * seconds;

@@ -50,6 +50,19 @@ Proofs expect_identity(const Scene& scene, const RenderOptions& options) {
   return proofs;
 }
 
+/// One ray after the other: other counters, the same picture.
+void expect_identity_of_single_rays(const Scene& scene, const RenderOptions& options) {
+  const Kernel kernel(scene.shapes, kernel_options(scene));
+  for (const Method method : {Method::hard, Method::stochastic, Method::umbra}) {
+    ShadowScene shadows = prepare_shadows(scene, kernel, method);
+    const Picture packets = render(scene, shadows, options);
+    shadows.rays = RayGrouping::single;
+    const Picture single = render(scene, shadows, options);
+    EXPECT_TRUE(same_bits(packets.image, single.image)) << "method " << static_cast<int>(method);
+    EXPECT_LE(single.counters.shadow.rays, packets.counters.shadow.rays * 11 / 10);
+  }
+}
+
 /// The scene with all its lights in another shape, `growth` times as large.
 Scene with_lights(Scene scene, std::string_view kind, float growth) {
   const Box box = object_bounds(scene.shapes);
@@ -72,6 +85,10 @@ TEST_P(Identity, OfTheBuiltInScene) {
   const Proofs proofs = expect_identity(built_in(GetParam()), picture(48, 8));
   EXPECT_GT(proofs.lit, 100u);
   EXPECT_GT(proofs.umbra, 0u);
+}
+
+TEST_P(Identity, OfRaysTracedOneByOne) {
+  expect_identity_of_single_rays(built_in(GetParam()), picture(32, 40));
 }
 
 class IdentityUnder : public testing::TestWithParam<const char*> {};

@@ -162,6 +162,34 @@ TEST(Render, ReflectedRaysOfTheSpdScenesAreWhatGeometryFixes) {
   EXPECT_NEAR(reflected("rings"), 3098, 4);
 }
 
+/// Through pixels' corners, as the SPD say, the paper's Table 2 is met: 10,976 reflected rays of
+/// balls, of which four lie on outlines; shadow rays of (a) to (b), after the cache, to some per
+/// cent (51,719 and 1,397,529; rings 47,415 and 1,459,345).
+TEST(Render, RaysThroughPixelCornersMeetThePapersCounts) {
+  const auto counted = [](const char* name, float radius, Method method) {
+    SceneOptions with_radius;
+    with_radius.light_radius = LightRadius{radius, false};
+    const Scene scene = complete_scene(*gallery_scene(name), with_radius);
+    const Kernel kernel(scene.shapes, kernel_options(scene));
+    ShadowScene shadows = prepare_shadows(scene, kernel, method);
+    shadows.rays = RayGrouping::single;
+    RenderOptions options = small(128);
+    options.shadow_samples = 32;
+    options.pixel_point = PixelPoint::corner;
+    return render(scene, shadows, options).counters;
+  };
+  const RenderCounters balls = counted("balls:4", 1.0f / 162, Method::hard);
+  EXPECT_EQ(balls.primary, 16384u);
+  EXPECT_NEAR(static_cast<double>(balls.reflected), 10976, 4);
+  const auto within = [](std::uint64_t rays, double printed, double share) {
+    EXPECT_NEAR(static_cast<double>(rays), printed, share * printed);
+  };
+  within(balls.shadow.rays, 51'719, 0.03);
+  within(counted("balls:4", 1.0f / 162, Method::stochastic).shadow.rays, 1'397'529, 0.05);
+  within(counted("rings", 0.05f, Method::hard).shadow.rays, 47'415, 0.05);
+  within(counted("rings", 0.05f, Method::stochastic).shadow.rays, 1'459'345, 0.05);
+}
+
 TEST(Render, HardEqualsStochasticWhereTheLightIsAPoint) {
   Scene scene = gallery("rings");
   for (Light& light : scene.lights) light.shape = PointLight{*center(light.shape)};
