@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+
 namespace penumbra::reproduce {
 namespace {
 
@@ -29,6 +31,20 @@ PictureSize jpeg_size(std::string_view bytes) {
       return {two_bytes(bytes, at + 7), two_bytes(bytes, at + 5)};
   }
   return {};
+}
+
+std::uint32_t svg_length(std::string_view head, std::string_view name) {
+  std::uint32_t length = 0;
+  if (const auto at = head.find(name); at != head.npos)
+    std::from_chars(head.data() + at + name.size(), head.data() + head.size(), length);
+  return length;
+}
+
+PictureSize svg_size(std::string_view text) {
+  const auto begin = text.find("<svg");
+  if (begin == text.npos) return {};
+  const std::string_view head = text.substr(begin, text.find('>', begin) - begin);
+  return {svg_length(head, " width=\""), svg_length(head, " height=\"")};
 }
 
 bool is_plain(char c) {
@@ -78,7 +94,7 @@ std::string data_uri(std::string_view media, std::string_view bytes) {
 PictureSize picture_size(std::string_view bytes) {
   if (bytes.starts_with("\x89PNG")) return png_size(bytes);
   if (bytes.starts_with("\xFF\xD8")) return jpeg_size(bytes);
-  return {};
+  return svg_size(bytes);
 }
 
 }  // namespace penumbra::reproduce

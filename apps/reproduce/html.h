@@ -22,7 +22,7 @@ struct PictureSize {
   std::uint32_t width = 0, height = 0;
 };
 
-/// As the head of a PNG or JPEG says; 0 x 0 of anything else.
+/// As the head of a PNG, JPEG or SVG (in whole units) says; 0 x 0 of anything else.
 PictureSize picture_size(std::string_view bytes);
 
 }  // namespace penumbra::reproduce

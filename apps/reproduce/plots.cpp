@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -98,14 +99,14 @@ void add(const Curve& curve, const Axes& axes, Drawing& drawing) {
   const Pen pen = pens[static_cast<std::size_t>(curve.color) % pens.size()];
   const std::string points = point_lines(curve, axes);
   const std::string title = "title " + quoted(curve.name);
-  const std::string dots = fmt::format("lc rgb '{}' lw 1.5 pt {} ps 1", pen.color, pen.point);
+  const std::string dots = fmt::format("lc rgb '{}' lw 1.5 pt {} ps 0.75", pen.color, pen.point);
   const bool is_fitted = curve.kind == CurveKind::fitted;
   drawing.items.push_back(fmt::format("keyentry with linespoints {} {}", dots, title));
+  if (points.empty()) return;
   if (const std::string fit = fit_lines(curve.fit, axes); is_fitted && !fit.empty()) {
     drawing.data += fmt::format("$fit{} << EOD\n{}EOD\n", id, fit);
     drawing.items.push_back(fmt::format("$fit{} with lines lc rgb '{}' lw 1.5", id, pen.color));
   }
-  if (points.empty()) return;
   drawing.data += fmt::format("$points{} << EOD\n{}EOD\n", id, points);
   drawing.items.push_back(
       fmt::format("$points{} using 1:2:3:4 with yerrorbars lc rgb '{}' lw 1.2 pt {} ps 0", id,
@@ -115,8 +116,9 @@ void add(const Curve& curve, const Axes& axes, Drawing& drawing) {
 }
 
 std::string axis_commands(char name, const Axis& axis, const std::string& label) {
-  std::string text = fmt::format("set {}label {} noenhanced\nset {}range [{}:{}]\n", name,
-                                 quoted(label), name, axis.low, axis.high);
+  std::string text =
+      fmt::format("set {}label {} noenhanced{}\nset {}range [{}:{}]\n", name, quoted(label),
+                  name == 'x' ? " offset 0,0.5" : "", name, axis.low, axis.high);
   if (axis.has_log)
     text += fmt::format("set logscale {}\nset {}tics {} scale 0.8\n", name, name, log_tics(axis));
   return text;
@@ -126,30 +128,47 @@ std::string script_of(const Plot& plot, const std::string& terminal) {
   const Axes axes = axes_of(plot);
   Drawing drawing;
   for (const Curve& curve : plot.curves) add(curve, axes, drawing);
-  if (drawing.items.empty()) drawing.items.push_back("NaN");
+  drawing.items.push_back("NaN");  // gnuplot fails where a key alone is asked for
   std::string text = "set encoding utf8\n" + terminal +
                      "set border 3 lc rgb '#555555'\n"
                      "set tics nomirror out scale 0.8 textcolor rgb '#222222'\n"
+                     "set xtics offset 0,0.3\n"
                      "set grid back lt 1 lc rgb '#dddddd' lw 0.8\n"
                      "set errorbars small\n"
-                     "set key tmargin left horizontal Left reverse noenhanced samplen 2.5 "
+                     "set key tmargin left horizontal Left reverse noenhanced samplen 1.8 "
                      "noautotitle\n";
   text += axis_commands('x', axes.x, plot.x_label) + axis_commands('y', axes.y, plot.y_label);
   return text + drawing.data + fmt::format("plot {}\n", fmt::join(drawing.items, ", \\\n  "));
 }
 
-std::string svg_terminal() {
+/// Units of an SVG, and as many pixels where nobody scales it.
+constexpr int svg_width = 480, png_width = 1120;
+
+/// The key stands above the plot in columns as wide as its longest name, about so many units.
+int svg_height(const Plot& plot) {
+  constexpr int character = 9, sample = 45, line = 18, without_key = 315;
+  std::size_t longest = 1;
+  for (const Curve& curve : plot.curves) longest = std::max(longest, curve.name.size());
+  const int columns = std::max(1, 400 / (static_cast<int>(longest) * character + sample));
+  const int curves = static_cast<int>(plot.curves.size());
+  return without_key + line * ((curves + columns - 1) / columns);
+}
+
+std::string svg_terminal(const Plot& plot) {
   return fmt::format("set terminal svg size {},{} fixed font 'sans-serif,14' background 'white'\n",
-                     svg_width, svg_height);
+                     svg_width, svg_height(plot));
 }
 
 /// libgd's PNGs are the second choice: their lines are jagged.
 std::string png_terminal(const Plot& plot) {
-  return "if (strstrt(GPVAL_TERMINALS, ' pngcairo ')) {\n"
-         "  set terminal pngcairo size 1120,840 font 'sans,24' linewidth 2.2 pointscale 1.1\n"
-         "} else {\n  set terminal png size 1120,840 font 'sans,24' linewidth 2\n}\n"
-         "set title " +
-         quoted(plot.title) + " noenhanced\n";
+  constexpr int title_height = 60;
+  const int height = svg_height(plot) * png_width / svg_width + title_height;
+  return fmt::format(
+      "if (strstrt(GPVAL_TERMINALS, ' pngcairo ')) {{\n"
+      "  set terminal pngcairo size {0},{1} font 'sans,24' linewidth 2.2 pointscale 1.6\n"
+      "}} else {{\n  set terminal png size {0},{1} font 'sans,24' linewidth 2\n}}\n"
+      "set title {2} noenhanced\n",
+      png_width, height, quoted(plot.title));
 }
 
 /// gnuplot calls all its pictures "Gnuplot".
@@ -163,7 +182,7 @@ std::string with_title(std::string svg, const std::string& title) {
 }  // namespace
 
 PlotFiles draw(const Plot& plot) {
-  return {with_title(run_gnuplot(script_of(plot, svg_terminal())), plot.title),
+  return {with_title(run_gnuplot(script_of(plot, svg_terminal(plot))), plot.title),
           run_gnuplot(script_of(plot, png_terminal(plot)))};
 }
 

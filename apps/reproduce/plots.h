@@ -8,12 +8,9 @@
 
 namespace penumbra::reproduce {
 
-/// Units of an SVG, and as many pixels where nobody scales it.
-constexpr int svg_width = 480, svg_height = 360;
-
 struct PlotFiles {
-  std::string svg;  ///< without a title in the picture: pages give one beneath
-  std::string png;  ///< 1120 x 840, with its title
+  std::string svg;  ///< 480 units wide, as high as its key needs; pages give the title beneath
+  std::string png;  ///< 1120 pixels wide, with its title
 };
 
 /// Points that are not finite, and those that an axis with logarithms has no place for, are left
