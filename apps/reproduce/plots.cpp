@@ -30,6 +30,8 @@ constexpr std::array<Pen, 8> pens = {{{"#0072B2", 7},
                                       {"#000000", 4},
                                       {"#777777", 8}}};
 
+Pen pen_of(const Curve& curve) { return pens[static_cast<std::size_t>(curve.color) % pens.size()]; }
+
 /// Single quotes: between double ones gnuplot runs what stands in backquotes.
 std::string quoted(const std::string& text) {
   std::string result = "'";
@@ -96,21 +98,18 @@ struct Drawing {
 
 void add(const Curve& curve, const Axes& axes, Drawing& drawing) {
   const std::size_t id = drawing.items.size();
-  const Pen pen = pens[static_cast<std::size_t>(curve.color) % pens.size()];
+  const Pen pen = pen_of(curve);
   const std::string points = point_lines(curve, axes);
-  const std::string title = "title " + quoted(curve.name);
   const std::string dots = fmt::format("lc rgb '{}' lw 1.5 pt {} ps 0.75", pen.color, pen.point);
   const bool is_fitted = curve.kind == CurveKind::fitted;
-  drawing.items.push_back(fmt::format("keyentry with linespoints {} {}", dots, title));
   if (points.empty()) return;
   if (const std::string fit = fit_lines(curve.fit, axes); is_fitted && !fit.empty()) {
     drawing.data += fmt::format("$fit{} << EOD\n{}EOD\n", id, fit);
     drawing.items.push_back(fmt::format("$fit{} with lines lc rgb '{}' lw 1.5", id, pen.color));
   }
   drawing.data += fmt::format("$points{} << EOD\n{}EOD\n", id, points);
-  drawing.items.push_back(
-      fmt::format("$points{} using 1:2:3:4 with yerrorbars lc rgb '{}' lw 1.2 pt {} ps 0", id,
-                  pen.color, pen.point));
+  drawing.items.push_back(fmt::format(
+      "$points{} using 1:3:(0):($4-$3) with vectors nohead lc rgb '{}' lw 1.5", id, pen.color));
   drawing.items.push_back(fmt::format("$points{} using 1:2 with {} {}", id,
                                       is_fitted ? "points" : "linespoints", dots));
 }
@@ -124,51 +123,97 @@ std::string axis_commands(char name, const Axis& axis, const std::string& label)
   return text;
 }
 
-std::string script_of(const Plot& plot, const std::string& terminal) {
+/// In units of an SVG, which are as many pixels where nobody scales it.
+constexpr double svg_width = 480, row_height = 18, title_height = 30;
+constexpr double png_scale = 1120 / svg_width;
+
+/// The key stands above the plot, in columns as wide as its longest name may be.
+struct Key {
+  int columns = 1, rows = 1;
+  double column_width = 0;
+};
+
+std::size_t characters(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+Key key_of(const Plot& plot) {
+  constexpr double character = 8.6, sample = 45, room = svg_width - 15;
+  std::size_t longest = 1;
+  for (const Curve& curve : plot.curves) longest = std::max(longest, characters(curve.name));
+  const double width = static_cast<double>(longest) * character + sample;
+  const int curves = std::max(1, static_cast<int>(plot.curves.size()));
+  const int most_columns = std::clamp(static_cast<int>(room / width), 1, curves);
+  const int rows = (curves + most_columns - 1) / most_columns;
+  return {(curves + rows - 1) / rows, rows, width};
+}
+
+/// Lengths are those of the SVG; the PNG is `scale` times as large and has its title on top.
+struct Layout {
+  Key key;
+  double height = 0, title = 0;
+
+  double from_top(double y) const { return 1 - y / height; }
+};
+
+Layout layout_of(const Plot& plot, double title) {
+  constexpr int usual_height = 360, usual_rows = 3;
+  const Key key = key_of(plot);
+  return {key, usual_height + title + row_height * std::max(0, key.rows - usual_rows), title};
+}
+
+/// Drawn by labels and arrows: gnuplot's own key covers data where it finds its names too long.
+std::string key_commands(const Plot& plot, const Layout& layout) {
+  const double left = 10, sample = 26, gap = 16;
+  std::string text;
+  for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+    const int row = static_cast<int>(i) / layout.key.columns;
+    const int column = static_cast<int>(i) % layout.key.columns;
+    const double x = left + column * layout.key.column_width;
+    const double y = layout.from_top(layout.title + (row + 0.75) * row_height);
+    const Pen pen = pen_of(plot.curves[i]);
+    text += fmt::format(
+        "set arrow from screen {0:.4f},{3:.4f} to screen {2:.4f},{3:.4f} nohead lc rgb '{4}' lw "
+        "1.5\n"
+        "set label '' at screen {1:.4f},{3:.4f} point lc rgb '{4}' pt {5} ps 0.75\n"
+        "set label {7} at screen {6:.4f},{3:.4f} left noenhanced\n",
+        x / svg_width, (x + 0.5 * sample) / svg_width, (x + sample) / svg_width, y, pen.color,
+        pen.point, (x + sample + 6) / svg_width, quoted(plot.curves[i].name));
+  }
+  return text + fmt::format("unset key\nset tmargin at screen {:.4f}\n",
+                            layout.from_top(layout.title + row_height * layout.key.rows + gap));
+}
+
+std::string script_of(const Plot& plot, const Layout& layout, const std::string& terminal) {
   const Axes axes = axes_of(plot);
   Drawing drawing;
   for (const Curve& curve : plot.curves) add(curve, axes, drawing);
-  drawing.items.push_back("NaN");  // gnuplot fails where a key alone is asked for
+  if (drawing.items.empty()) drawing.items.push_back("NaN");
   std::string text = "set encoding utf8\n" + terminal +
                      "set border 3 lc rgb '#555555'\n"
                      "set tics nomirror out scale 0.8 textcolor rgb '#222222'\n"
                      "set xtics offset 0,0.3\n"
-                     "set grid back lt 1 lc rgb '#dddddd' lw 0.8\n"
-                     "set errorbars small\n"
-                     "set key tmargin left horizontal Left reverse noenhanced samplen 1.8 "
-                     "noautotitle\n";
+                     "set grid back lt 1 lc rgb '#dddddd' lw 0.8\n" +
+                     key_commands(plot, layout);
   text += axis_commands('x', axes.x, plot.x_label) + axis_commands('y', axes.y, plot.y_label);
   return text + drawing.data + fmt::format("plot {}\n", fmt::join(drawing.items, ", \\\n  "));
 }
 
-/// Units of an SVG, and as many pixels where nobody scales it.
-constexpr int svg_width = 480, png_width = 1120;
-
-/// The key stands above the plot in columns as wide as its longest name, about so many units.
-int svg_height(const Plot& plot) {
-  constexpr int character = 9, sample = 45, line = 18, without_key = 315;
-  std::size_t longest = 1;
-  for (const Curve& curve : plot.curves) longest = std::max(longest, curve.name.size());
-  const int columns = std::max(1, 400 / (static_cast<int>(longest) * character + sample));
-  const int curves = static_cast<int>(plot.curves.size());
-  return without_key + line * ((curves + columns - 1) / columns);
-}
-
-std::string svg_terminal(const Plot& plot) {
+std::string svg_terminal(const Layout& layout) {
   return fmt::format("set terminal svg size {},{} fixed font 'sans-serif,14' background 'white'\n",
-                     svg_width, svg_height(plot));
+                     svg_width, layout.height);
 }
 
 /// libgd's PNGs are the second choice: their lines are jagged.
-std::string png_terminal(const Plot& plot) {
-  constexpr int title_height = 60;
-  const int height = svg_height(plot) * png_width / svg_width + title_height;
+std::string png_terminal(const Plot& plot, const Layout& layout) {
   return fmt::format(
       "if (strstrt(GPVAL_TERMINALS, ' pngcairo ')) {{\n"
-      "  set terminal pngcairo size {0},{1} font 'sans,24' linewidth 2.2 pointscale 1.6\n"
-      "}} else {{\n  set terminal png size {0},{1} font 'sans,24' linewidth 2\n}}\n"
-      "set title {2} noenhanced\n",
-      png_width, height, quoted(plot.title));
+      "  set terminal pngcairo size {0:.0f},{1:.0f} font 'sans,24' linewidth 2.2 pointscale 2\n"
+      "}} else {{\n  set terminal png size {0:.0f},{1:.0f} font 'sans,24' linewidth 2\n}}\n"
+      "set label {2} at screen 0.5, screen {3:.4f} center noenhanced\n",
+      png_scale * svg_width, png_scale * layout.height, quoted(plot.title),
+      layout.from_top(0.5 * layout.title));
 }
 
 /// gnuplot calls all its pictures "Gnuplot".
@@ -182,8 +227,9 @@ std::string with_title(std::string svg, const std::string& title) {
 }  // namespace
 
 PlotFiles draw(const Plot& plot) {
-  return {with_title(run_gnuplot(script_of(plot, svg_terminal(plot))), plot.title),
-          run_gnuplot(script_of(plot, png_terminal(plot)))};
+  const Layout bare = layout_of(plot, 0), titled = layout_of(plot, title_height);
+  return {with_title(run_gnuplot(script_of(plot, bare, svg_terminal(bare))), plot.title),
+          run_gnuplot(script_of(plot, titled, png_terminal(plot, titled)))};
 }
 
 }  // namespace penumbra::reproduce

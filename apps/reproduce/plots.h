@@ -14,7 +14,8 @@ struct PlotFiles {
 };
 
 /// Points that are not finite, and those that an axis with logarithms has no place for, are left
-/// out; a spread is drawn where low < high. Throws Error as `run_gnuplot` does.
+/// out; a spread is drawn where low < high. Names of curves of up to 45 characters have room.
+/// Throws Error as `run_gnuplot` does.
 PlotFiles draw(const Plot& plot);
 
 }  // namespace penumbra::reproduce
