@@ -168,7 +168,8 @@ fieldset { min-width: 0; margin: 0; padding: 0; border: 0; }
 constexpr const char* print_style = R"css(
 @media print {
   @page { margin: 18mm 15mm; }
-  body { display: block; max-width: none; padding: 0; font-size: 9.5pt; }
+  html { font-size: 9.5pt; }
+  body { display: block; max-width: none; padding: 0; }
   nav, .gallery label { display: none; }
   a { color: inherit; text-decoration: none; }
   h2 { break-after: avoid; }
@@ -177,6 +178,10 @@ constexpr const char* print_style = R"css(
   .frame { grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 4mm; }
   .frame .view { grid-area: auto; visibility: visible; }
   .view .name { position: static; width: auto; height: auto; margin: 0; clip-path: none; }
+  .plots { grid-template-columns: repeat(2, minmax(0, 1fr)); }
+  .galleries { display: block; }
+  table.many { font-size: 7.5pt; }
+  table.many td span, table.many td small { white-space: normal; }
   .beyond { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 }
 )css";
@@ -186,7 +191,7 @@ std::string cards(std::string_view kind, int most_rem) {
   std::string rules = card_style;
   for (auto at = rules.find(name); at != rules.npos; at = rules.find(name, at))
     rules.replace(at, name.size(), kind);
-  return fmt::format("@media (max-width: {}rem) {{{}}}\n", most_rem, rules);
+  return fmt::format("@media screen and (max-width: {}rem) {{{}}}\n", most_rem, rules);
 }
 
 }  // namespace
