@@ -43,11 +43,14 @@ Key key_of(const Plot& plot) {
 Pen pen_of(const Curve& curve) { return pens[static_cast<std::size_t>(curve.color) % pens.size()]; }
 
 std::string quoted(const std::string& text) {
-  // Between double quotes gnuplot would run what stands in backquotes.
+  // Between double quotes gnuplot would run what stands in backquotes; of single quotes that are
+  // doubled it does not understand those at the beginning.
   std::string result = "'";
   for (char c : text) {
-    if (c == '\'' || c == '`') result += '\'';
-    result += static_cast<unsigned char>(c) < 32 ? ' ' : c == '`' ? '\'' : c;
+    if (c == '\'' || c == '`')
+      result += "’";
+    else
+      result += static_cast<unsigned char>(c) < 32 ? ' ' : c;
   }
   return result + '\'';
 }

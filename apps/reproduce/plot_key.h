@@ -16,7 +16,7 @@ struct Pen {
 /// The same colour and shape for the same `Curve::color`; they repeat after eight.
 Pen pen_of(const Curve& curve);
 
-/// As gnuplot takes text that means nothing but itself.
+/// As gnuplot takes text that means nothing but itself; quotes become apostrophes.
 std::string quoted(const std::string& text);
 
 /// In units of an SVG, which are as many pixels where nobody scales it.

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "html.h"
+
+#include <gtest/gtest.h>
+
+#include "penumbra/scene_io/gltf_uri.h"
+#include "penumbra/scene_io/image_formats.h"
+#include "penumbra/scene_io/jpeg_io.h"
+
+namespace penumbra::reproduce {
+namespace {
+
+TEST(Escape, nothing_means_anything) {
+  EXPECT_EQ(escape("<a b=\"c\" d='e'> & é\n"), "&lt;a b=&quot;c&quot; d=&#39;e&#39;&gt; &amp; é ");
+}
+
+TEST(FileLink, is_a_file_beside_the_page) {
+  EXPECT_EQ(file_link("a b/c-1_2.png"), "a%20b/c-1_2.png");
+  EXPECT_EQ(file_link("javascript:x?y#z%\"é"), "javascript%3Ax%3Fy%23z%25%22%C3%A9");
+}
+
+TEST(DataUri, decodes_to_the_same_bytes) {
+  for (const std::string bytes : {"", "a", "ab", "abc", "\xFF\xFE\x01\x80"})
+    EXPECT_EQ(decode_data_uri(data_uri("image/png", bytes)), bytes);
+}
+
+TEST(PictureSize, is_what_the_head_says) {
+  const std::vector<float> values(7 * 5);
+  const Image image{7, 5, {{"R", values}, {"G", values}, {"B", values}}, {}};
+  for (const std::string& bytes :
+       {to_png("", image, 0), encode_jpeg(image, 90),
+        std::string("<?xml version=\"1.0\"?>\n<svg \n width=\"7\" height=\"5\" viewBox=\"\">")}) {
+    EXPECT_EQ(picture_size(bytes).width, 7u);
+    EXPECT_EQ(picture_size(bytes).height, 5u);
+    for (std::size_t i = 0; i < bytes.size(); ++i) picture_size(bytes.substr(0, i));  // ends
+  }
+  EXPECT_EQ(picture_size("GIF89a").width, 0u);
+}
+
+}  // namespace
+}  // namespace penumbra::reproduce
