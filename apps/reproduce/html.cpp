@@ -5,6 +5,8 @@
 
 #include <charconv>
 
+#include "plain_text.h"
+
 namespace penumbra::reproduce {
 namespace {
 
@@ -56,14 +58,14 @@ bool is_plain(char c) {
 
 std::string escape(std::string_view text) {
   std::string escaped;
-  for (char c : text) {
+  for (char c : plain_text(text)) {
     switch (c) {
       case '&': escaped += "&amp;"; break;
       case '<': escaped += "&lt;"; break;
       case '>': escaped += "&gt;"; break;
       case '"': escaped += "&quot;"; break;
       case '\'': escaped += "&#39;"; break;
-      default: escaped += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+      default: escaped += c;
     }
   }
   return escaped;

@@ -8,7 +8,7 @@
 
 namespace penumbra::reproduce {
 
-/// For text and for attributes in quotes, in HTML and XML.
+/// For text and for attributes in quotes, in HTML and XML: plain text, of which nothing is a tag.
 std::string escape(std::string_view text);
 
 /// A file beside the page as a link (RFC 3986): nothing of its name can be taken for a scheme, a

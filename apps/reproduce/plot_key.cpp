@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "plain_text.h"
+
 namespace penumbra::reproduce {
 namespace {
 
@@ -46,12 +48,7 @@ std::string quoted(const std::string& text) {
   // Between double quotes gnuplot would run what stands in backquotes; of single quotes that are
   // doubled it does not understand those at the beginning.
   std::string result = "'";
-  for (char c : text) {
-    if (c == '\'' || c == '`')
-      result += "’";
-    else
-      result += static_cast<unsigned char>(c) < 32 ? ' ' : c;
-  }
+  for (char c : plain_text(text)) result += c == '\'' || c == '`' ? "’" : std::string(1, c);
   return result + '\'';
 }
 

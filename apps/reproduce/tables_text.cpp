@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "plain_text.h"
+
 namespace penumbra::reproduce {
 namespace {
 
@@ -35,9 +37,9 @@ bool has_paper(const Table& table, std::size_t column) {
 /// One line, in which nothing means anything to Markdown.
 std::string markdown(const std::string& text) {
   std::string escaped;
-  for (char c : text) {
+  for (char c : plain_text(text)) {
     if (std::string_view("\\`*_[]<>|#~&").find(c) != std::string_view::npos) escaped += '\\';
-    escaped += c == '\n' || c == '\r' ? ' ' : c;
+    escaped += c;
   }
   return escaped;
 }

@@ -6,12 +6,19 @@
 #include "penumbra/scene_io/gltf_uri.h"
 #include "penumbra/scene_io/image_formats.h"
 #include "penumbra/scene_io/jpeg_io.h"
+#include "plain_text.h"
 
 namespace penumbra::reproduce {
 namespace {
 
 TEST(Escape, nothing_means_anything) {
   EXPECT_EQ(escape("<a b=\"c\" d='e'> & é\n"), "&lt;a b=&quot;c&quot; d=&#39;e&#39;&gt; &amp; é ");
+}
+
+TEST(PlainText, is_one_line_of_utf8) {
+  EXPECT_EQ(plain_text("a\tb\nc\x7f é ’ 𝛀"), "a b c  é ’ 𝛀");
+  EXPECT_EQ(plain_text("\xE9t\xE9 \xC3"), "?t? ?");
+  EXPECT_EQ(plain_text("\xC0\x80 \xE0\x80\x80 \xED\xA0\x80 \xF4\x90\x80\x80"), "?? ??? ??? ????");
 }
 
 TEST(FileLink, is_a_file_beside_the_page) {
