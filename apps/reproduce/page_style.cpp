@@ -124,7 +124,7 @@ constexpr const char* card_style = R"css(
     display: flex; flex-wrap: wrap; justify-content: flex-end; align-items: baseline;
     gap: 0 0.5rem; max-width: 70%;
   }
-  .KIND td .paper { order: 1; min-width: 4.25rem; margin: 0; }
+  .KIND td .paper { min-width: 4.25rem; margin: 0; }
   .KIND.compared td > div:not(:has(.paper)) { padding-right: 4.75rem; }
   .KIND td span, .KIND td small { white-space: normal; }
   table.KIND .none { display: none; }

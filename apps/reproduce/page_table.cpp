@@ -13,9 +13,9 @@ std::string cell_html(const Cell& cell, const std::string& column) {
   std::string text = fmt::format("<td data-label=\"{}\"><div>", escape(column));
   text +=
       fmt::format("<span class=\"ours\">{}</span>", cell.ours.empty() ? "–" : escape(cell.ours));
+  if (!cell.more.empty()) text += fmt::format(" <small>{}</small>", escape(cell.more));
   if (!cell.paper.empty())
     text += fmt::format(" <span class=\"paper\">[{}]</span>", escape(cell.paper));
-  if (!cell.more.empty()) text += fmt::format(" <small>{}</small>", escape(cell.more));
   return text + "</div></td>";
 }
 
