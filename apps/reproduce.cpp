@@ -59,6 +59,9 @@ reproduce::Effort effort_of(const Options& o) {
 }
 
 int run(const Options& o) {
+  reproduce::check_gnuplot();
+  for (const std::string& file : {o.molecule, o.bust})
+    if (!file.empty()) load_scene(file, {});  // a wrong name should not cost an hour
   const fs::path folder = o.output;
   std::error_code error;
   fs::create_directories(folder, error);
@@ -66,9 +69,6 @@ int run(const Options& o) {
     throw Error({o.output, {}, {}}, "cannot be made a folder: " + error.message(),
                 "choose another with -o");
   check_output_path(folder / "index.html");
-  reproduce::check_gnuplot();
-  for (const std::string& file : {o.molecule, o.bust})
-    if (!file.empty()) load_scene(file, {});  // a wrong name should not cost an hour
 
   const Machine machine = this_machine();
   const reproduce::Plan plan = reproduce::make_plan(effort_of(o), o.molecule, o.bust);

@@ -51,8 +51,9 @@ std::string log_tics(const Axis& axis) {
     for (int mantissa = 1; mantissa < 10; ++mantissa) {
       const double value = mantissa * std::pow(10, exponent);
       if (value < axis.low || value > axis.high) continue;
-      const bool is_named = mantissa == 1 || (decades < 1 && mantissa % 2 == 0) ||
-                            (decades < 3 && (mantissa == 2 || mantissa == 5));
+      const bool is_named =
+          mantissa == 1 || (decades < 1 && mantissa % 2 == 0) ||
+          (decades < (has_long_numbers ? 1.5 : 3) && (mantissa == 2 || mantissa == 5));
       tics.push_back(is_named ? tic(value, exponent, has_long_numbers)
                               : fmt::format("\"\" {:g} 1", value));
     }

@@ -37,14 +37,12 @@ Image class_map(const Image& picture) {
   const std::size_t count = std::size_t{picture.width} * picture.height;
   Image map{picture.width, picture.height, {}, {}};
   for (std::size_t color = 0; color < 3; ++color) {
-    std::array<float, 3> shares;
-    for (std::size_t k = 0; k < 3; ++k)
-      shares[k] =
-          linear_from_srgb(class_colors[k][color] / 255) / static_cast<float>(lights.size());
     Channel channel{std::string(1, "RGB"[color]), std::vector<float>(count)};
     for (const Channel* light : lights)
       for (std::size_t i = 0; i < count; ++i)
-        channel.values[i] += shares[color_index(light->values[i])];
+        channel.values[i] += class_colors[color_index(light->values[i])][color];
+    const float most = 255 * static_cast<float>(lights.size());
+    for (float& value : channel.values) value = linear_from_srgb(value / most);
     map.channels.push_back(std::move(channel));
   }
   return map;

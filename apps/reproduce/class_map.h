@@ -7,7 +7,8 @@
 namespace penumbra::reproduce {
 
 /// R, G and B (linear) of the channels `class.light0`, `class.light1`, ...: lit is pale yellow,
-/// penumbra vermilion, umbra dark blue; of several lights the mean. Throws Error where there is no
+/// penumbra vermilion, umbra dark blue; of several lights the mean of their sRGB codes, since
+/// the mean of linear values would hide the dark ones. Throws Error where there is no
 /// such channel.
 Image class_map(const Image& picture);
 

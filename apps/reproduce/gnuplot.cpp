@@ -88,6 +88,17 @@ pid_t start(const Redirections& redirections) {
   return child;
 }
 
+/// gnuplot shows the line that it does not like, then a mark beneath, then why.
+std::string one_line(const std::string& text) {
+  std::string line;
+  for (char c : text) {
+    const char next = c == '\n' ? ' ' : c;
+    if (next != ' ' || (!line.empty() && line.back() != ' ')) line += next;
+  }
+  while (line.ends_with(' ')) line.pop_back();
+  return line;
+}
+
 }  // namespace
 
 std::string run_gnuplot(const std::string& script) {
@@ -97,7 +108,7 @@ std::string run_gnuplot(const std::string& script) {
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    fail("failed: " + err.bytes(), "is it gnuplot 5.4 or later?");
+    fail(fmt::format("failed ({})", one_line(err.bytes())), "is it gnuplot 5.4 or later?");
   return out.bytes();
 }
 

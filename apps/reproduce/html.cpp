@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+
+#include "plain_text.h"
+
 namespace penumbra::reproduce {
 namespace {
 
@@ -31,6 +35,20 @@ PictureSize jpeg_size(std::string_view bytes) {
   return {};
 }
 
+std::uint32_t svg_length(std::string_view head, std::string_view name) {
+  std::uint32_t length = 0;
+  if (const auto at = head.find(name); at != head.npos)
+    std::from_chars(head.data() + at + name.size(), head.data() + head.size(), length);
+  return length;
+}
+
+PictureSize svg_size(std::string_view text) {
+  const auto begin = text.find("<svg");
+  if (begin == text.npos) return {};
+  const std::string_view head = text.substr(begin, text.find('>', begin) - begin);
+  return {svg_length(head, " width=\""), svg_length(head, " height=\"")};
+}
+
 bool is_plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
          c == '_' || c == '.' || c == '/';
@@ -40,14 +58,14 @@ bool is_plain(char c) {
 
 std::string escape(std::string_view text) {
   std::string escaped;
-  for (char c : text) {
+  for (char c : plain_text(text)) {
     switch (c) {
       case '&': escaped += "&amp;"; break;
       case '<': escaped += "&lt;"; break;
       case '>': escaped += "&gt;"; break;
       case '"': escaped += "&quot;"; break;
       case '\'': escaped += "&#39;"; break;
-      default: escaped += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+      default: escaped += c;
     }
   }
   return escaped;
@@ -78,7 +96,7 @@ std::string data_uri(std::string_view media, std::string_view bytes) {
 PictureSize picture_size(std::string_view bytes) {
   if (bytes.starts_with("\x89PNG")) return png_size(bytes);
   if (bytes.starts_with("\xFF\xD8")) return jpeg_size(bytes);
-  return {};
+  return svg_size(bytes);
 }
 
 }  // namespace penumbra::reproduce

@@ -8,7 +8,7 @@
 
 namespace penumbra::reproduce {
 
-/// For text and for attributes in quotes, in HTML and XML.
+/// For text and for attributes in quotes, in HTML and XML: plain text, of which nothing is a tag.
 std::string escape(std::string_view text);
 
 /// A file beside the page as a link (RFC 3986): nothing of its name can be taken for a scheme, a
@@ -22,7 +22,7 @@ struct PictureSize {
   std::uint32_t width = 0, height = 0;
 };
 
-/// As the head of a PNG or JPEG says; 0 x 0 of anything else.
+/// As the head of a PNG, JPEG or SVG (in whole units) says; 0 x 0 of anything else.
 PictureSize picture_size(std::string_view bytes);
 
 }  // namespace penumbra::reproduce

@@ -55,7 +55,8 @@ bool has_paper(const Report& report) {
 
 constexpr const char* legend_html =
     "<p class=\"legend\"><span class=\"ours\">1.23</span> measured here; "
-    "<span class=\"paper\">[1.23]</span> printed in the paper: in italics, in brackets.</p>\n";
+    "<span class=\"paper\">[1.23]</span> printed in the paper: in italics, in brackets; "
+    "shaded rows are not in the paper.</p>\n";
 
 std::string plots_html(const Section& section,
                        const std::map<std::string, std::string>& svg_by_plot_id) {

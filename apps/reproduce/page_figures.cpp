@@ -3,7 +3,6 @@
 
 #include "html.h"
 #include "page_parts.h"
-#include "plots.h"
 
 namespace penumbra::reproduce {
 namespace {
@@ -48,10 +47,12 @@ std::string gallery_html(const Gallery& gallery) {
 
 std::string plot_html(const Plot& plot, const std::string& svg) {
   std::string html = fmt::format("<figure class=\"plot\" id=\"{}\">\n", escape(plot.id));
-  if (!svg.empty())
+  if (!svg.empty()) {
+    const PictureSize size = picture_size(svg);
     html += fmt::format("<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}: {} against {}\">\n",
-                        data_uri("image/svg+xml", svg), svg_width, svg_height, escape(plot.title),
+                        data_uri("image/svg+xml", svg), size.width, size.height, escape(plot.title),
                         escape(plot.y_label), escape(plot.x_label));
+  }
   html += caption_html(plot.title, plot.text);
   return html + fmt::format(
                     "<p class=\"files\"><a href=\"{0}.csv\">{0}.csv</a> · "

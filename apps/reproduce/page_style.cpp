@@ -82,7 +82,9 @@ table {
   border-collapse: collapse; font-size: 0.875rem; line-height: 1.4;
   font-variant-numeric: tabular-nums lining-nums;
 }
-table.some, table.many { width: 100%; }
+table.few { min-width: min(100%, 28rem); }
+table.some { min-width: min(100%, var(--text)); }
+table.many { width: 100%; }
 table.many { font-size: 0.8125rem; }
 caption { padding: 0 0 0.6rem; text-align: left; font-size: 0.9375rem; line-height: 1.5; }
 th, td { padding: 0.45rem 0.6rem; text-align: right; vertical-align: top; }
@@ -96,6 +98,7 @@ tbody th { min-width: 7rem; font-weight: 400; overflow-wrap: anywhere; }
 tbody tr + tr { border-top: 1px solid var(--rule); }
 table > tbody:last-child { border-bottom: 1.5px solid var(--strong-rule); }
 td span, td small { display: block; white-space: nowrap; }
+td .paper { margin-right: -0.39em; }  /* figures stand under figures */
 td small { color: var(--soft); font-size: 0.75rem; }
 .beyond { background: var(--tint); border-top: 1px solid var(--strong-rule); }
 .beyond .divider th {
@@ -117,7 +120,12 @@ constexpr const char* card_style = R"css(
     display: flex; justify-content: space-between; gap: 1rem; padding: 0.2rem 0;
   }
   .KIND td::before { min-width: 0; content: attr(data-label); color: var(--soft); }
-  .KIND td > div { flex: 0 0 auto; max-width: 62%; }
+  .KIND td > div {
+    display: flex; flex-wrap: wrap; justify-content: flex-end; align-items: baseline;
+    gap: 0 0.5rem; max-width: 70%;
+  }
+  .KIND td .paper { min-width: 4.25rem; margin: 0; }
+  .KIND.compared td > div:not(:has(.paper)) { padding-right: 4.75rem; }
   .KIND td span, .KIND td small { white-space: normal; }
   table.KIND .none { display: none; }
   table.KIND .beyond tr > * { padding-inline: 0.6rem; }
@@ -130,7 +138,6 @@ figure { margin: 0; min-width: 0; }
 img { display: block; max-width: 100%; height: auto; }
 figcaption { max-width: var(--text); margin-top: 0.6rem; font-size: 0.9375rem; line-height: 1.5; }
 .galleries { display: grid; gap: 2.25rem 2rem; margin: 1.75rem 0 2.5rem; }
-.gallery { max-width: 50rem; }
 fieldset { min-width: 0; margin: 0; padding: 0; border: 0; }
 .gallery legend, .gallery input, .view .name {
   position: absolute; width: 1px; height: 1px; margin: -1px; overflow: hidden;
@@ -150,7 +157,8 @@ fieldset { min-width: 0; margin: 0; padding: 0; border: 0; }
 .plots { display: grid; gap: 2.5rem 2rem; margin: 1.75rem 0 2.5rem; }
 .plot img { width: 100%; max-width: 40rem; }
 @media (min-width: 48rem) {
-  .plots { grid-template-columns: repeat(2, minmax(0, 1fr)); }
+  .plots, .galleries { grid-template-columns: repeat(2, minmax(0, 1fr)); }
+  .gallery:only-child, .plot:only-child { grid-column: 1 / -1; max-width: 42rem; }
 }
 @media (max-width: 34rem) {
   .plot img { width: calc(100% + 2rem); max-width: none; margin-inline: -1rem; }
@@ -160,7 +168,8 @@ fieldset { min-width: 0; margin: 0; padding: 0; border: 0; }
 constexpr const char* print_style = R"css(
 @media print {
   @page { margin: 18mm 15mm; }
-  body { display: block; max-width: none; padding: 0; font-size: 9.5pt; }
+  html { font-size: 9.5pt; }
+  body { display: block; max-width: none; padding: 0; }
   nav, .gallery label { display: none; }
   a { color: inherit; text-decoration: none; }
   h2 { break-after: avoid; }
@@ -169,6 +178,10 @@ constexpr const char* print_style = R"css(
   .frame { grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 4mm; }
   .frame .view { grid-area: auto; visibility: visible; }
   .view .name { position: static; width: auto; height: auto; margin: 0; clip-path: none; }
+  .plots { grid-template-columns: repeat(2, minmax(0, 1fr)); }
+  .galleries { display: block; }
+  table.many { font-size: 7.5pt; }
+  table.many td span, table.many td small { white-space: normal; }
   .beyond { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 }
 )css";
@@ -178,7 +191,7 @@ std::string cards(std::string_view kind, int most_rem) {
   std::string rules = card_style;
   for (auto at = rules.find(name); at != rules.npos; at = rules.find(name, at))
     rules.replace(at, name.size(), kind);
-  return fmt::format("@media (max-width: {}rem) {{{}}}\n", most_rem, rules);
+  return fmt::format("@media screen and (max-width: {}rem) {{{}}}\n", most_rem, rules);
 }
 
 }  // namespace

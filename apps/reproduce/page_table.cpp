@@ -13,9 +13,9 @@ std::string cell_html(const Cell& cell, const std::string& column) {
   std::string text = fmt::format("<td data-label=\"{}\"><div>", escape(column));
   text +=
       fmt::format("<span class=\"ours\">{}</span>", cell.ours.empty() ? "–" : escape(cell.ours));
+  if (!cell.more.empty()) text += fmt::format(" <small>{}</small>", escape(cell.more));
   if (!cell.paper.empty())
     text += fmt::format(" <span class=\"paper\">[{}]</span>", escape(cell.paper));
-  if (!cell.more.empty()) text += fmt::format(" <small>{}</small>", escape(cell.more));
   return text + "</div></td>";
 }
 
@@ -56,9 +56,17 @@ std::string bodies_html(const Table& table) {
   return text;
 }
 
-/// By how much room its columns want.
-std::string_view width_class(const Table& table) {
-  return table.columns.size() > 6 ? "many" : table.columns.size() > 1 ? "some" : "few";
+bool has_paper(const Table& table) {
+  for (const Row& row : table.rows)
+    for (const Cell& cell : row.cells)
+      if (!cell.paper.empty()) return true;
+  return false;
+}
+
+/// By how much room its columns want, and whether there is something to compare with.
+std::string class_of(const Table& table) {
+  std::string kind = table.columns.size() > 6 ? "many" : table.columns.size() > 1 ? "some" : "few";
+  return has_paper(table) ? kind + " compared" : kind;
 }
 
 }  // namespace
@@ -66,7 +74,7 @@ std::string_view width_class(const Table& table) {
 std::string table_html(const Table& table) {
   const std::string id = escape(table.id);
   std::string text = fmt::format("<div class=\"sheet\" id=\"{}\">\n<table class=\"{}\">\n<caption>",
-                                 id, width_class(table));
+                                 id, class_of(table));
   text += fmt::format("<strong>{}</strong>", escape(table.title));
   if (!table.text.empty()) text += fmt::format(" <span>{}</span>", escape(table.text));
   text += "</caption>\n" + head_html(table) + bodies_html(table) + "</table>\n";

@@ -4,40 +4,18 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 #include "axis.h"
 #include "gnuplot.h"
 #include "html.h"
+#include "plot_key.h"
 
 namespace penumbra::reproduce {
 namespace {
 
-/// Colours that colour-blind readers can tell apart (Okabe and Ito, Color Universal Design, 2008),
-/// without the yellow, which white paper swallows; and gnuplot's point types.
-struct Pen {
-  const char* color;
-  int point;
-};
-constexpr std::array<Pen, 8> pens = {{{"#0072B2", 7},
-                                      {"#D55E00", 5},
-                                      {"#009E73", 9},
-                                      {"#CC79A7", 13},
-                                      {"#E69F00", 11},
-                                      {"#56B4E9", 6},
-                                      {"#000000", 4},
-                                      {"#777777", 8}}};
-
-/// Single quotes: between double ones gnuplot runs what stands in backquotes.
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (char c : text) {
-    if (c == '\'' || c == '`') result += '\'';
-    result += static_cast<unsigned char>(c) < 32 ? ' ' : c == '`' ? '\'' : c;
-  }
-  return result + '\'';
-}
+constexpr double title_height = 30, png_scale = 1120 / svg_width;
 
 struct Axes {
   Axis x, y;
@@ -95,34 +73,32 @@ struct Drawing {
 
 void add(const Curve& curve, const Axes& axes, Drawing& drawing) {
   const std::size_t id = drawing.items.size();
-  const Pen pen = pens[static_cast<std::size_t>(curve.color) % pens.size()];
+  const Pen pen = pen_of(curve);
   const std::string points = point_lines(curve, axes);
-  const std::string title = "title " + quoted(curve.name);
-  const std::string dots = fmt::format("lc rgb '{}' lw 1.5 pt {} ps 1", pen.color, pen.point);
+  const std::string dots = fmt::format("lc rgb '{}' lw 1.5 pt {} ps 0.75", pen.color, pen.point);
   const bool is_fitted = curve.kind == CurveKind::fitted;
-  drawing.items.push_back(fmt::format("keyentry with linespoints {} {}", dots, title));
+  if (points.empty()) return;
   if (const std::string fit = fit_lines(curve.fit, axes); is_fitted && !fit.empty()) {
     drawing.data += fmt::format("$fit{} << EOD\n{}EOD\n", id, fit);
     drawing.items.push_back(fmt::format("$fit{} with lines lc rgb '{}' lw 1.5", id, pen.color));
   }
-  if (points.empty()) return;
   drawing.data += fmt::format("$points{} << EOD\n{}EOD\n", id, points);
-  drawing.items.push_back(
-      fmt::format("$points{} using 1:2:3:4 with yerrorbars lc rgb '{}' lw 1.2 pt {} ps 0", id,
-                  pen.color, pen.point));
+  drawing.items.push_back(fmt::format(
+      "$points{} using 1:3:(0):($4-$3) with vectors nohead lc rgb '{}' lw 1.5", id, pen.color));
   drawing.items.push_back(fmt::format("$points{} using 1:2 with {} {}", id,
                                       is_fitted ? "points" : "linespoints", dots));
 }
 
 std::string axis_commands(char name, const Axis& axis, const std::string& label) {
-  std::string text = fmt::format("set {}label {} noenhanced\nset {}range [{}:{}]\n", name,
-                                 quoted(label), name, axis.low, axis.high);
+  std::string text =
+      fmt::format("set {}label {} noenhanced{}\nset {}range [{}:{}]\n", name, quoted(label),
+                  name == 'x' ? " offset 0,0.5" : "", name, axis.low, axis.high);
   if (axis.has_log)
     text += fmt::format("set logscale {}\nset {}tics {} scale 0.8\n", name, name, log_tics(axis));
   return text;
 }
 
-std::string script_of(const Plot& plot, const std::string& terminal) {
+std::string script_of(const Plot& plot, const Layout& layout, const std::string& terminal) {
   const Axes axes = axes_of(plot);
   Drawing drawing;
   for (const Curve& curve : plot.curves) add(curve, axes, drawing);
@@ -130,26 +106,27 @@ std::string script_of(const Plot& plot, const std::string& terminal) {
   std::string text = "set encoding utf8\n" + terminal +
                      "set border 3 lc rgb '#555555'\n"
                      "set tics nomirror out scale 0.8 textcolor rgb '#222222'\n"
-                     "set grid back lt 1 lc rgb '#dddddd' lw 0.8\n"
-                     "set errorbars small\n"
-                     "set key tmargin left horizontal Left reverse noenhanced samplen 2.5 "
-                     "noautotitle\n";
+                     "set xtics offset 0,0.3\n"
+                     "set grid back lt 1 lc rgb '#dddddd' lw 0.8\n" +
+                     key_commands(plot, layout);
   text += axis_commands('x', axes.x, plot.x_label) + axis_commands('y', axes.y, plot.y_label);
   return text + drawing.data + fmt::format("plot {}\n", fmt::join(drawing.items, ", \\\n  "));
 }
 
-std::string svg_terminal() {
+std::string svg_terminal(const Layout& layout) {
   return fmt::format("set terminal svg size {},{} fixed font 'sans-serif,14' background 'white'\n",
-                     svg_width, svg_height);
+                     svg_width, layout.height);
 }
 
 /// libgd's PNGs are the second choice: their lines are jagged.
-std::string png_terminal(const Plot& plot) {
-  return "if (strstrt(GPVAL_TERMINALS, ' pngcairo ')) {\n"
-         "  set terminal pngcairo size 1120,840 font 'sans,24' linewidth 2.2 pointscale 1.1\n"
-         "} else {\n  set terminal png size 1120,840 font 'sans,24' linewidth 2\n}\n"
-         "set title " +
-         quoted(plot.title) + " noenhanced\n";
+std::string png_terminal(const Plot& plot, const Layout& layout) {
+  return fmt::format(
+      "if (strstrt(GPVAL_TERMINALS, ' pngcairo ')) {{\n"
+      "  set terminal pngcairo size {0:.0f},{1:.0f} font 'sans,24' linewidth 2.2 pointscale 2\n"
+      "}} else {{\n  set terminal png size {0:.0f},{1:.0f} font 'sans,24' linewidth 2\n}}\n"
+      "set label {2} at screen 0.5, screen {3:.4f} center noenhanced\n",
+      png_scale * svg_width, png_scale * layout.height, quoted(plot.title),
+      layout.from_top(0.5 * layout.title));
 }
 
 /// gnuplot calls all its pictures "Gnuplot".
@@ -163,8 +140,9 @@ std::string with_title(std::string svg, const std::string& title) {
 }  // namespace
 
 PlotFiles draw(const Plot& plot) {
-  return {with_title(run_gnuplot(script_of(plot, svg_terminal())), plot.title),
-          run_gnuplot(script_of(plot, png_terminal(plot)))};
+  const Layout bare = layout_of(plot, 0), titled = layout_of(plot, title_height);
+  return {with_title(run_gnuplot(script_of(plot, bare, svg_terminal(bare))), plot.title),
+          run_gnuplot(script_of(plot, titled, png_terminal(plot, titled)))};
 }
 
 }  // namespace penumbra::reproduce

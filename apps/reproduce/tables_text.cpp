@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "csv.h"
+#include "plain_text.h"
 
 namespace penumbra::reproduce {
 namespace {
@@ -24,9 +25,9 @@ bool has_paper(const Table& table, std::size_t column) {
 /// One line, in which nothing means anything to Markdown.
 std::string markdown(const std::string& text) {
   std::string escaped;
-  for (char c : text) {
+  for (char c : plain_text(text)) {
     if (std::string_view("\\`*_[]<>|#~&").find(c) != std::string_view::npos) escaped += '\\';
-    escaped += c == '\n' || c == '\r' ? ' ' : c;
+    escaped += c;
   }
   return escaped;
 }

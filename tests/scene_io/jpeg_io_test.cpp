@@ -20,7 +20,7 @@ Image flat(std::uint32_t width, std::uint32_t height, float red, float green, fl
           {}};
 }
 
-TEST(EncodeJpeg, decodes_to_the_codes_of_the_png_writer) {
+TEST(EncodeJpeg, DecodesToTheCodesOfThePngWriter) {
   const JpegImage image = decode_jpeg(encode_jpeg(flat(33, 17, 0.8f, 0.2f, 0.05f), 95), 10000);
   ASSERT_EQ(image.width, 33u);
   ASSERT_EQ(image.height, 17u);
@@ -31,12 +31,12 @@ TEST(EncodeJpeg, decodes_to_the_codes_of_the_png_writer) {
   }
 }
 
-TEST(EncodeJpeg, exposure_doubles_light) {
+TEST(EncodeJpeg, ExposureDoublesLight) {
   EXPECT_EQ(encode_jpeg(flat(8, 8, 0.2f, 0.2f, 0.2f), 90, 1),
             encode_jpeg(flat(8, 8, 0.4f, 0.4f, 0.4f), 90));
 }
 
-TEST(EncodeJpeg, colours_keep_their_resolution) {
+TEST(EncodeJpeg, ColoursKeepTheirResolution) {
   Image image = flat(16, 16, 1, 0, 0);
   for (std::size_t i = 1; i < 256; i += 2) image.channels[0].values[i] = 0;
   for (std::size_t i = 1; i < 256; i += 2) image.channels[2].values[i] = 1;
@@ -46,7 +46,7 @@ TEST(EncodeJpeg, colours_keep_their_resolution) {
   EXPECT_LT(read.codes[3], 35);
 }
 
-TEST(EncodeJpeg, says_what_it_cannot_write) {
+TEST(EncodeJpeg, SaysWhatItCannotWrite) {
   EXPECT_THROW(encode_jpeg(Image{4, 4, {}, {}}, 90), Error);
   EXPECT_THROW(encode_jpeg(flat(0, 0, 0, 0, 0), 90), Error);
   EXPECT_THROW(encode_jpeg(flat(65536, 1, 0, 0, 0), 90), Error);
