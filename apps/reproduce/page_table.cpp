@@ -65,7 +65,7 @@ bool has_paper(const Table& table) {
 
 /// By how much room its columns want, and whether there is something to compare with.
 std::string class_of(const Table& table) {
-  std::string kind = table.columns.size() > 6 ? "many" : table.columns.size() > 1 ? "some" : "few";
+  std::string kind = table.columns.size() > 4 ? "many" : table.columns.size() > 1 ? "some" : "few";
   return has_paper(table) ? kind + " compared" : kind;
 }
 
