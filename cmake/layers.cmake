@@ -9,15 +9,27 @@ target_compile_options(penumbra_settings INTERFACE
   $<$<BOOL:${PENUMBRA_WERROR}>:-Werror>)
 target_compile_definitions(penumbra_settings INTERFACE $<$<BOOL:${PENUMBRA_ASSERTS}>:PENUMBRA_ASSERTS=1>)
 
-# penumbra_layer(shadow SOURCES … HEADERS … USES kernel scene LIBRARIES …)
-# HEADERS are the layer's public ones; LIBRARIES are private.
+# penumbra_layer(shadow SOURCES … HEADERS … USES kernel scene LIBRARIES … PRECOMPILE …)
+# HEADERS are the layer's public ones; LIBRARIES are private, and so is what of them to PRECOMPILE.
 function(penumbra_layer name)
-  cmake_parse_arguments(L "" "" "SOURCES;HEADERS;USES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(L "" "" "SOURCES;HEADERS;USES;LIBRARIES;PRECOMPILE" ${ARGN})
   add_library(penumbra_${name} STATIC ${L_SOURCES})
   add_library(penumbra::${name} ALIAS penumbra_${name})
   set_target_properties(penumbra_${name} PROPERTIES EXPORT_NAME ${name})
+  target_precompile_headers(penumbra_${name} PRIVATE ${L_PRECOMPILE})
+  # Each header must compile alone. The source of its name shows that, as it includes it first (which
+  # tests/check_layers.py holds it to), but for those who get others before it.
+  set(shown ${L_SOURCES})
+  list(TRANSFORM shown REPLACE "cpp$" "h")
+  set(to_verify ${L_HEADERS})
+  if(NOT L_PRECOMPILE)
+    list(REMOVE_ITEM to_verify ${shown})
+  endif()
+  list(REMOVE_ITEM L_HEADERS ${to_verify})
   target_sources(penumbra_${name} PUBLIC
-    FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${L_HEADERS})
+    FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${L_HEADERS}
+    FILE_SET to_verify TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${to_verify})
+  set_target_properties(penumbra_${name} PROPERTIES INTERFACE_HEADER_SETS_TO_VERIFY to_verify)
   target_compile_features(penumbra_${name} PUBLIC cxx_std_20)
   target_link_libraries(penumbra_${name} PRIVATE penumbra_settings ${L_LIBRARIES})
   list(TRANSFORM L_USES PREPEND penumbra::)

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""check_layers.py ROOT: a folder of penumbra/ includes only itself and the folders listed before it, and scene_io is
-used by programs, tests and benches alone."""
+"""check_layers.py ROOT: a folder of penumbra/ includes only itself and the folders listed before it, scene_io is used
+by programs, tests and benches alone, and a source includes the header of its name before all others."""
 import pathlib
 import re
 import sys
 
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]penumbra/(\w+)/')
+FIRST_INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)', re.MULTILINE)
 
 
 def complaints(root):
@@ -28,8 +29,19 @@ def complaints(root):
                 yield f"{place}: only programs, tests and benches use scene_io"
 
 
+def complaints_of_sources(root):
+    for path in sorted((root / "penumbra").glob("*/**/*.cpp")):
+        header = path.with_suffix(".h")
+        if not header.exists():
+            continue
+        first = FIRST_INCLUDE.search(path.read_text(encoding="utf-8"))
+        if not first or root / first[1] != header:
+            yield f"{path.relative_to(root)}: does not include {header.relative_to(root)} before all others"
+
+
 def main():
-    found = list(complaints(pathlib.Path(sys.argv[1])))
+    root = pathlib.Path(sys.argv[1])
+    found = [*complaints(root), *complaints_of_sources(root)]
     print("\n".join(found) or "layers ok")
     return bool(found)
 

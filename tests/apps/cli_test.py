@@ -170,9 +170,9 @@ class Render(CliTest):
         self.assertGreater(stats["memory_bytes"]["geometry"], 0)
         self.assertGreater(stats["peak_rss_bytes"], 1 << 20)
 
-    def test_the_papers_methods_draw_the_same_picture_with_fewer_rays(self):
+    def test_all_methods_draw_the_same_picture_with_fewer_rays(self):
         rays = {}
-        for method in ["stochastic", "offset", "reduced", "umbra"]:
+        for method in ["stochastic", "offset", "reduced", "umbra", "shaft"]:
             self.succeed("render", "rings", "--size", "48x48", "--method", method, "-o", f"{method}.exr", "--stats", "s.json")
             self.succeed("compare", "stochastic.exr", f"{method}.exr")
             stats = json.loads((self.folder / "s.json").read_text())
@@ -183,6 +183,7 @@ class Render(CliTest):
         self.assertGreater(rays["stochastic"], rays["offset"])
         self.assertGreaterEqual(rays["offset"], rays["reduced"])
         self.assertGreaterEqual(rays["reduced"], rays["umbra"])
+        self.assertGreater(rays["stochastic"], 4 * rays["shaft"])
 
     def test_colours_are_the_same_for_any_threads_and_tiles(self):
         scenes = ["balls:2", "cylinders"]

@@ -3,10 +3,10 @@
 
 #include "penumbra/geometry/parallelogram.h"
 #include "tests/geometry/chi_squared.h"
+#include "tests/geometry/instruction_sets.h"
 #include "tests/geometry/light_shapes.h"
 
 #include <gtest/gtest.h>
-#include <hwy/highway.h>
 
 #include <cmath>
 #include <functional>
@@ -276,13 +276,7 @@ TEST(LightSampling, EveryInstructionSetGivesTheSameBits) {
     return result;
   };
   const std::vector<float> expected = all_samples();
-  for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
-    hwy::SetSupportedTargetsForTest(targets & -targets);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    EXPECT_EQ(all_samples(), expected) << hwy::TargetName(targets & -targets);
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  for_each_instruction_set([&] { EXPECT_EQ(all_samples(), expected); });
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "tests/geometry/instruction_sets.h"
 #include "tests/kernel/nasty_shapes.h"
 
 // Highway compiles the rest once for each instruction set.
@@ -73,17 +74,13 @@ namespace {
 HWY_EXPORT(Count);
 
 void expect_no_hit_is_passed_by(std::uint64_t pairs, bool extreme) {
-  for (std::int64_t rest = hwy::SupportedTargets(); rest != 0; rest &= rest - 1) {
-    hwy::SetSupportedTargetsForTest(rest & -rest);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  for_each_instruction_set([&] {
     const auto counts = HWY_DYNAMIC_DISPATCH(Count)(pairs, 12, extreme);
-    EXPECT_GT(counts[1], pairs / 20) << hwy::TargetName(rest & -rest);
-    EXPECT_EQ(counts[3], 0u) << hwy::TargetName(rest & -rest);
+    EXPECT_GT(counts[1], pairs / 20);
+    EXPECT_EQ(counts[3], 0u);
     const std::uint64_t missed = counts[0] - counts[1];
-    EXPECT_GT(counts[2], extreme ? missed / 4 : missed * 9 / 10) << hwy::TargetName(rest & -rest);
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    EXPECT_GT(counts[2], extreme ? missed / 4 : missed * 9 / 10);
+  });
 }
 
 TEST(EdgePlanes, NoRayHitsATriangleThatItPassesBy) { expect_no_hit_is_passed_by(2'000'000, false); }

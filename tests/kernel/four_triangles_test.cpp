@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "tests/geometry/instruction_sets.h"
 #include "tests/kernel/nasty_shapes.h"
 
 // Highway compiles the rest once for each instruction set.
@@ -73,20 +74,16 @@ HWY_EXPORT(Count);
 
 void expect_no_hit_is_passed_by(std::uint64_t pairs, ShapeKind third) {
   int in_lanes = 0;
-  for (std::int64_t rest = hwy::SupportedTargets(); rest != 0; rest &= rest - 1) {
-    hwy::SetSupportedTargetsForTest(rest & -rest);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  for_each_instruction_set([&] {
     const auto counts = HWY_DYNAMIC_DISPATCH(Count)(pairs, 11, third);
-    EXPECT_GT(counts[1], pairs / 20) << hwy::TargetName(rest & -rest);
-    EXPECT_EQ(counts[3], 0u) << hwy::TargetName(rest & -rest);
-    if (counts[2] == 0) continue;  // a single lane
+    EXPECT_GT(counts[1], pairs / 20);
+    EXPECT_EQ(counts[3], 0u);
+    if (counts[2] == 0) return;  // a single lane
     ++in_lanes;
     const bool are_all = third == ShapeKind::triangle;
     EXPECT_GT(counts[1] + counts[2], are_all ? counts[0] * 99 / 100 : 0);
-  }
+  });
   EXPECT_GT(in_lanes, 0);
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
 TEST(FourTriangles, NoRayHitsOneThatItPassesBy) {

@@ -2,13 +2,13 @@
 #include "penumbra/kernel/traverse.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cstring>
 #include <string>
 
 #include "penumbra/kernel/kernel.h"
+#include "tests/geometry/instruction_sets.h"
 #include "tests/kernel/nasty_shapes.h"
 
 namespace penumbra {
@@ -53,16 +53,6 @@ Answers ask_all() {
     }
   return answers;
 }
-
-/// Puts the processor's own instruction sets back.
-struct RestrictTargets {
-  explicit RestrictTargets(std::int64_t target) { set(target); }
-  ~RestrictTargets() { set(0); }
-  static void set(std::int64_t targets) {
-    hwy::SetSupportedTargetsForTest(targets);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-};
 
 /// A row of random scenes with a packet of rays each.
 template <class F>
@@ -137,12 +127,11 @@ TEST(Traverse, AWalkPassesEveryRecordThatItsRayMeets) {
 TEST(Traverse, EveryInstructionSetGivesTheSameBits) {
   const Answers expected = ask_all();
   std::string seen;
-  for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
-    const RestrictTargets only(targets & -targets);
+  for_each_instruction_set([&] {
     const Answers answers = ask_all();
-    EXPECT_EQ(answers.words, expected.words) << answers.instruction_set;
+    EXPECT_EQ(answers.words, expected.words);
     seen += answers.instruction_set + " ";
-  }
+  });
   RecordProperty("instruction_sets", seen);
 }
 

@@ -4,6 +4,7 @@
 #include "penumbra/shadow/cover.h"
 #include "tests/shadow/light_rays.h"
 #include "tests/shadow/pairs.h"
+#include "tests/shadow/seeds.h"
 
 namespace penumbra {
 namespace {
@@ -53,14 +54,12 @@ void try_one(const ShapeForm& form, const char* light_kind, Random& random, Coun
 Count run_pair(const ShapeForm& form, const char* light_kind, std::uint64_t trials,
                std::uint64_t first_seed) {
   Count count;
-  for (std::uint64_t seed = first_seed; count.trials < trials; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    Random random(seed);
+  for_each_seed(first_seed, count.trials, trials, [&](Random& random) {
     for (int i = 0; i < 64; ++i) {
       try_one(form, light_kind, random, count);
-      if (testing::Test::HasFatalFailure()) return count;
+      if (testing::Test::HasFatalFailure()) return;
     }
-  }
+  });
   return count;
 }
 

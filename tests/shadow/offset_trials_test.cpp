@@ -5,6 +5,7 @@
 #include "penumbra/shadow/t_max.h"
 #include "tests/shadow/light_rays.h"
 #include "tests/shadow/pairs.h"
+#include "tests/shadow/seeds.h"
 
 namespace penumbra {
 namespace {
@@ -88,18 +89,16 @@ void run(const Kernel& kernel, const trials::OffsetTrial& trial, const nasty::Pl
 Count run_pair(const ShapeForm& form, const char* light_kind, std::uint64_t trials,
                std::uint64_t first_seed) {
   Count count;
-  for (std::uint64_t seed = first_seed; count.trials < trials; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    Random random(seed);
+  for_each_seed(first_seed, count.trials, trials, [&](Random& random) {
     const nasty::Place place = nasty::random_place(random);
     const ShapeSet shapes = random_shape(form, place, random);
     const Kernel kernel(shapes, {KernelKind::brute, {}});
     for (int i = 0; i < 64; ++i) {
       run(kernel, trials::offset_trial(shapes, kernel, place, light_kind, random), place, random,
           count);
-      if (testing::Test::HasFatalFailure()) return count;
+      if (testing::Test::HasFatalFailure()) return;
     }
-  }
+  });
   return count;
 }
 

@@ -7,6 +7,7 @@
 
 #include "penumbra/geometry/light_shape.h"
 #include "tests/shadow/group_trials.h"
+#include "tests/shadow/seeds.h"
 
 namespace penumbra {
 namespace {
@@ -89,13 +90,10 @@ void run(const Trial& trial, Random& random, Count& count) {
 
 Count run_light(const char* light_kind, std::uint64_t receivers, std::uint64_t first_seed) {
   Count count;
-  for (std::uint64_t seed = first_seed; count.receivers < receivers; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    Random random(seed);
+  for_each_seed(first_seed, count.receivers, receivers, [&](Random& random) {
     const nasty::Place place = nasty::random_place(random);
     run(Trial(light_kind, place, random), random, count);
-    if (testing::Test::HasFatalFailure()) return count;
-  }
+  });
   return count;
 }
 

@@ -2,6 +2,7 @@
 // Sheets against the judge: no ray passes by the triangles of one that covers.
 #include "penumbra/shadow/sheet.h"
 #include "tests/shadow/group_trials.h"
+#include "tests/shadow/seeds.h"
 #include "tests/shadow/sheet_meshes.h"
 
 namespace penumbra {
@@ -116,18 +117,16 @@ void try_one(const Sheets& sheets, const nasty::Place& place, const char* light_
 
 Count run_light(const char* light_kind, std::uint64_t trials, std::uint64_t first_seed) {
   Count count;
-  for (std::uint64_t seed = first_seed; count.trials < trials; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    Random random(seed);
+  for_each_seed(first_seed, count.trials, trials, [&](Random& random) {
     const nasty::Place place = nasty::random_place(random);
     const ShapeSet shapes = nasty::random_sheets(place, random);
-    if (shapes.meshes.empty()) continue;
+    if (shapes.meshes.empty()) return;
     const Sheets sheets(shapes);
     for (int i = 0; i < 64; ++i) {
       try_one(sheets, place, light_kind, random, count);
-      if (testing::Test::HasFatalFailure()) return count;
+      if (testing::Test::HasFatalFailure()) return;
     }
-  }
+  });
   return count;
 }
 

@@ -4,6 +4,7 @@
 #include "penumbra/shadow/sift.h"
 #include "tests/shadow/group_trials.h"
 #include "tests/shadow/pairs.h"
+#include "tests/shadow/seeds.h"
 
 namespace penumbra {
 namespace {
@@ -148,9 +149,7 @@ void try_one(const Record& record, const GroupTrial& trial, Random& random, Coun
 Count run_pair(const ShapeForm& form, const char* light_kind, std::uint64_t receivers,
                std::uint64_t first_seed) {
   Count count;
-  for (std::uint64_t seed = first_seed; count.receivers < receivers; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    Random random(seed);
+  for_each_seed(first_seed, count.receivers, receivers, [&](Random& random) {
     const nasty::Place place = nasty::random_place(random);
     const ShapeSet shapes = random_shape(form, place, random);
     const Kernel kernel(shapes, {KernelKind::brute, {}});
@@ -163,9 +162,9 @@ Count run_pair(const ShapeForm& form, const char* light_kind, std::uint64_t rece
       const auto first = trials::offset_trial(shapes, kernel, place, light_kind, random);
       const GroupTrial trial(light_kind, first, double(place.scale), place_one, random);
       try_one(kernel.records().front(), trial, random, count);
-      if (testing::Test::HasFatalFailure()) return count;
+      if (testing::Test::HasFatalFailure()) return;
     }
-  }
+  });
   return count;
 }
 
