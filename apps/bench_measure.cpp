@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "image_difference.h"
 #include "options.h"
 #include "penumbra/scene/error.h"
 #include "penumbra/trace/prepare.h"
@@ -66,25 +67,39 @@ ShapeSet casters_of(const Scene& scene) {
   return casters;
 }
 
-/// The fastest way to ask Embree, by a part of the work.
-EmbreeVariant best_variant(const EmbreeBaseline& embree, const ShadowScene& scene,
-                           const ShadowWork& work, std::uint32_t shadow_samples,
-                           std::uint32_t threads) {
+/// A scene of Embree's, and a way to ask it.
+struct EmbreeWay {
+  const EmbreeBuild* build = nullptr;
+  EmbreeVariant variant;
+};
+
+std::string name_of(const EmbreeWay& way, const ShapeSet& shapes) {
+  std::string name = name_of(way.variant);
+  if (!shapes.spheres.empty())
+    name += way.build->spheres == EmbreeSpheres::native ? ", native spheres" : ", user spheres";
+  return name;
+}
+
+/// The fastest one, by a part of the work.
+EmbreeWay best_way(const std::vector<EmbreeBuild>& builds, const ShadowScene& scene,
+                   const ShadowWork& work, std::uint32_t shadow_samples, std::uint32_t threads) {
   constexpr std::size_t step = 7, rounds = 3;  // blocks stand in rows: not a multiple of 2
   const ShadowWork part = part_of(work, work.blocks.size() > 8 * step ? step : 1);
-  const std::vector<EmbreeVariant> variants = embree.variants();
-  std::vector<std::vector<double>> seconds(variants.size());
+  std::vector<EmbreeWay> ways;
+  for (const EmbreeBuild& build : builds)
+    for (const EmbreeVariant variant : build.baseline.variants()) ways.push_back({&build, variant});
+  std::vector<std::vector<double>> seconds(ways.size());
   for (std::size_t round = 0; round <= rounds; ++round)
-    for (std::size_t i = 0; i < variants.size(); ++i) {
-      std::vector<EmbreeWorker> workers(threads,
-                                        EmbreeWorker(embree, variants[i], scene, shadow_samples));
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      std::vector<EmbreeWorker> workers(
+          threads, EmbreeWorker(ways[i].build->baseline, ways[i].variant, scene, shadow_samples));
       const double took = answer_all(part, std::span(workers), {}).seconds;
       if (round > 0) seconds[i].push_back(took);  // the first round warms up
     }
   std::size_t best = 0;
-  for (std::size_t i = 1; i < variants.size(); ++i)
+  for (std::size_t i = 1; i < ways.size(); ++i)
     if (median(seconds[i]) < median(seconds[best])) best = i;
-  return variants[best];
+  return ways[best];
 }
 
 /// Names the first question that a method answers otherwise than the judge.
@@ -159,7 +174,8 @@ class Race {
     }
   }
 
-  void run(std::uint32_t rounds, const std::function<void(double)>& progress) {
+  void run(const std::string& name, std::uint32_t rounds,
+           const std::function<void(double)>& progress) {
     const std::size_t count = contestants_.size(), steps = 2 * count * rounds;
     std::size_t done = 0;
     const auto each_in_turn = [&](std::uint32_t round, auto&& act) {
@@ -168,16 +184,20 @@ class Race {
         progress(static_cast<double>(++done) / static_cast<double>(steps));
       }
     };
+    std::vector<Image> pictures(count);
     for (std::uint32_t round = 0; round < rounds; ++round) {
       each_in_turn(round, [&](Contestant& one) {
         one.shadow_seconds.push_back(one.answer(bench_.work, {}));
       });
       each_in_turn(round, [&](Contestant& one) {
         if (!one.shadows) return;
-        const Picture picture = render(bench_.scene, *one.shadows, options_);
+        Picture picture = render(bench_.scene, *one.shadows, options_);
         one.render_seconds.push_back(picture.seconds.render);
         one.counters = picture.counters;
+        if (round == 0)
+          pictures[static_cast<std::size_t>(&one - contestants_.data())] = std::move(picture.image);
       });
+      if (round == 0) check_pictures(name, std::exchange(pictures, {}));
     }
   }
 
@@ -201,6 +221,17 @@ class Race {
   }
 
  private:
+  /// One of each contestant; Embree's are empty.
+  void check_pictures(const std::string& name, const std::vector<Image>& pictures) const {
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+      const ShadowScene* shadows = contestants_[i].shadows;
+      if (!shadows || shadows->method == Method::hard) continue;
+      if (difference(pictures[i], pictures[judge_], {}).pixels > 0)
+        throw Error({name, {}, {}}, fmt::format("{} draws another picture than stochastic, d = {}",
+                                                contestants_[i].name, options_.shadow_samples));
+    }
+  }
+
   void add_ours(const ShadowScene& shadows, double seconds) {
     Contestant one;
     one.name = name_of(Contender{shadows.method, shadows.rays});
@@ -213,15 +244,15 @@ class Race {
   }
 
   void add_theirs(const char* name, const ShadowScene& shadows) {
-    const EmbreeVariant variant = best_variant(bench_.embree, shadows, bench_.work,
-                                               options_.shadow_samples, options_.threads);
+    const EmbreeWay way =
+        best_way(bench_.embree, shadows, bench_.work, options_.shadow_samples, options_.threads);
     Contestant one;
     one.name = name;
-    one.build_seconds = bench_.embree_seconds;
-    one.geometry_bytes = bench_.embree.memory_bytes();
-    one.theirs.assign(options_.threads,
-                      EmbreeWorker(bench_.embree, variant, shadows, options_.shadow_samples));
-    one.variant = name_of(variant);
+    one.build_seconds = way.build->seconds;
+    one.geometry_bytes = way.build->baseline.memory_bytes();
+    one.theirs.assign(options_.threads, EmbreeWorker(way.build->baseline, way.variant, shadows,
+                                                     options_.shadow_samples));
+    one.variant = name_of(way, bench_.casters);
     contestants_.push_back(std::move(one));
   }
 
@@ -244,9 +275,15 @@ BenchScene::BenchScene(const Scene& scene_, const BenchMethods& wanted,
       options(options_),
       kernel(timed(kernel_seconds, [&] { return Kernel(scene.shapes, kernel_options(scene)); })),
       casters(casters_of(scene)),
-      embree(timed(embree_seconds, [&] { return EmbreeBaseline(casters, wanted.spheres); })),
       hard(prepare_shadows(scene, kernel, Method::hard)),
       work(record_shadow_work(scene, kernel, options)) {
+  for (const EmbreeSpheres spheres : {EmbreeSpheres::native, EmbreeSpheres::user}) {
+    const bool is_same = casters.spheres.empty() && !embree.empty();
+    if (is_same || wanted.spheres.value_or(spheres) != spheres) continue;
+    double seconds = 0;
+    EmbreeBaseline baseline = timed(seconds, [&] { return EmbreeBaseline(casters, spheres); });
+    embree.push_back({spheres, seconds, std::move(baseline)});
+  }
   for (const Contender& contender : wanted.methods) {
     methods.push_back(timed(method_seconds.emplace_back(),
                             [&] { return prepare_shadows(scene, kernel, contender.method); }));
@@ -258,9 +295,12 @@ std::vector<BenchRow> measure(const BenchScene& bench, const std::string& name,
                               std::uint32_t shadow_samples, std::uint32_t rounds,
                               const std::function<void(double)>& progress) {
   progress(0);
+  if (bench.work.queries.empty())
+    throw Error({name, {}, {}}, "the picture shows nothing that light could fall on",
+                "turn the camera, or give it lights");
   Race race(bench, shadow_samples);
   race.check(name);
-  race.run(rounds, progress);
+  race.run(name, rounds, progress);
   return race.rows();
 }
 

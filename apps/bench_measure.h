@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,14 @@ std::string name_of(Contender contender);
 /// What is measured. `methods` hold `stochastic`.
 struct BenchMethods {
   std::vector<Contender> methods;
-  EmbreeSpheres spheres = EmbreeSpheres::native;
+  std::optional<EmbreeSpheres> spheres;  ///< none: either, whichever is faster
+};
+
+/// A scene of Embree's.
+struct EmbreeBuild {
+  EmbreeSpheres spheres;
+  double seconds;
+  EmbreeBaseline baseline;
 };
 
 /// A scene, prepared for all methods and for Embree.
@@ -35,10 +43,10 @@ struct BenchScene {
 
   const Scene& scene;
   RenderOptions options;
-  double kernel_seconds = 0, embree_seconds = 0;
+  double kernel_seconds = 0;
   Kernel kernel;
-  ShapeSet casters;  ///< the shapes that block light: what Embree gets
-  EmbreeBaseline embree;
+  ShapeSet casters;                 ///< the shapes that block light: what Embree gets
+  std::vector<EmbreeBuild> embree;  ///< one, or one for each kind of spheres
   std::vector<ShadowScene> methods;
   std::vector<double> method_seconds;  ///< of what they prepare beside the kernel
   ShadowScene hard;                    ///< whether or not it is one of the methods

@@ -2,9 +2,11 @@
 #include "machine.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <fstream>
 #include <thread>
+#include <vector>
 
 #include "penumbra/kernel/embree_baseline.h"
 #include "penumbra/kernel/traverse.h"
@@ -20,6 +22,16 @@ std::string cpu_name() {
 }
 
 }  // namespace
+
+std::string program_checksum() {
+  std::ifstream file("/proc/self/exe", std::ios::binary);
+  std::vector<char> bytes(1 << 16);
+  uLong sum = crc32(0, nullptr, 0);
+  while (file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) || file.gcount() > 0)
+    sum =
+        crc32(sum, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(file.gcount()));
+  return fmt::format("{:08x}", sum);
+}
 
 Machine this_machine() {
   return {cpu_name(),        std::to_string(std::thread::hardware_concurrency()),

@@ -11,6 +11,9 @@ struct Machine {
   friend bool operator==(const Machine&, const Machine&) = default;
 };
 
+/// Of this program's file (CRC-32, in hexadecimal): tells builds of one version apart.
+std::string program_checksum();
+
 /// This program on this machine.
 Machine this_machine();
 

@@ -73,11 +73,14 @@ int run(const Options& o) {
   const Machine machine = this_machine();
   const reproduce::Plan plan = reproduce::make_plan(effort_of(o), o.molecule, o.bust);
   reproduce::Journal journal(folder / "measurements.csv", machine, name_of(plan));
-  if (journal.dropped() > 0)
-    fmt::print(
-        stderr,
-        "{}: {} rows are of another machine, version or kind of run, and are measured anew\n",
-        (folder / "measurements.csv").string(), journal.dropped());
+  for (const reproduce::Measurement& m : journal.all())
+    if (m.program != program_checksum()) {
+      fmt::print(stderr,
+                 "{}: some rows were measured by another build of this version; remove the file to "
+                 "measure all anew\n",
+                 (folder / "measurements.csv").string());
+      break;
+    }
   const auto wish = o.always_progress ? ProgressWish::always : ProgressWish::on_terminal;
   {
     Progress progress("measuring", wish);

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -64,25 +65,27 @@ Journal::Journal(std::filesystem::path path, Machine machine, std::string run)
   if (!file) return;
   std::ostringstream text;
   text << file.rdbuf();
-  const std::vector<std::vector<std::string>> rows = read_csv(text.str());
+  std::string_view lines = text.view();
+  lines = lines.substr(0, lines.rfind('\n') + 1);  // without what was cut off
+  const std::vector<std::vector<std::string>> rows = read_csv(lines);
   const std::vector<std::string> names = header(machine_, run_);
   const auto expected = provenance(machine_, run_);
-  if (rows.empty() || rows.front() != names) {
-    dropped_ = rows.empty() ? 0 : rows.size() - 1;
-    return;
-  }
+  const auto refuse = [&](const std::string& why) {
+    throw Error({path_.string(), {}, {}}, why, "choose another folder with -o, or remove the file");
+  };
+  if (!rows.empty() && rows.front() != names)
+    refuse("is not a journal of this version's measurements");
   for (std::size_t i = 1; i < rows.size(); ++i) {
+    if (rows[i].size() != names.size()) continue;
     Measurement m;
     std::size_t column = 0;
-    bool is_good = rows[i].size() == names.size();
-    if (is_good) {
-      each_field(m, [&](const char*, auto& value) { is_good &= read(rows[i][column++], value); });
-      for (const auto& [name, value] : expected) is_good &= rows[i][column++] == value;
-    }
-    if (is_good)
-      measurements_.push_back(std::move(m));
-    else
-      ++dropped_;
+    bool is_good = true;
+    each_field(m, [&](const char*, auto& value) { is_good &= read(rows[i][column++], value); });
+    for (const auto& [name, value] : expected)
+      if (const std::string& found = rows[i][column++]; is_good && found != value)
+        refuse(fmt::format("holds measurements of another run ({} is {}, now {})", name, found,
+                           value));
+    if (is_good) measurements_.push_back(std::move(m));
   }
 }
 
@@ -93,6 +96,10 @@ const Measurement* Journal::find(const Setting& setting, const std::string& meth
 }
 
 void Journal::add(std::vector<Measurement> measured) {
+  for (const Measurement& m : measured)
+    std::erase_if(measurements_, [&](const Measurement& old) {
+      return old.setting == m.setting && old.row.method == m.row.method;
+    });
   for (Measurement& m : measured) measurements_.push_back(std::move(m));
   std::string text = csv_line(header(machine_, run_));
   for (const Measurement& m : measurements_) {

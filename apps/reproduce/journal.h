@@ -16,25 +16,25 @@ namespace penumbra::reproduce {
 
 class Journal {
  public:
-  /// Reads the file if there is one. Its rows count when they were made with the same machine,
-  /// version and `run` (a name for all else that must agree: rounds, files); others are dropped,
-  /// and `dropped` says how many. Throws Error where the file cannot be read.
+  /// Reads the file if there is one; lines that were cut off or damaged are left out. Throws Error
+  /// where a line is of another machine, version or `run` (a name for all else that must agree:
+  /// effort, files), so that nobody's hour of measuring is lost, and where the file is something
+  /// else.
   Journal(std::filesystem::path path, Machine machine, std::string run);
 
-  std::size_t dropped() const { return dropped_; }
   std::span<const Measurement> all() const { return measurements_; }
 
   /// Nullptr when it was not measured.
   const Measurement* find(const Setting& setting, const std::string& method) const;
 
-  /// Keeps them, and writes the file anew. Throws Error.
+  /// Keeps them in place of what was there of their settings, and writes the file anew. Throws
+  /// Error.
   void add(std::vector<Measurement> measured);
 
  private:
   std::filesystem::path path_;
   Machine machine_;
   std::string run_;
-  std::size_t dropped_ = 0;
   std::vector<Measurement> measurements_;
 };
 

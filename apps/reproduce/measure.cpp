@@ -13,8 +13,8 @@
 
 #include "../image_difference.h"
 #include "../options.h"
-#include "../scene_argument.h"
 #include "penumbra/trace/prepare.h"
+#include "scenes.h"
 
 namespace penumbra::reproduce {
 namespace {
@@ -55,6 +55,7 @@ std::vector<Measurement> measured(const BenchScene& bench, const Setting& settin
                                   std::uint32_t rounds, const Errors* errors, const Tell& tell) {
   std::vector<Measurement> all;
   const std::string today = fmt::format("{:%F}", fmt::gmtime(std::time(nullptr)));
+  const std::string program = program_checksum();
   std::size_t method = 0;  // ours come first, in the order of the bench's
   for (BenchRow& row : measure(bench, setting.scene, setting.shadow_samples, rounds, tell)) {
     Measurement m{setting,
@@ -64,7 +65,8 @@ std::vector<Measurement> measured(const BenchScene& bench, const Setting& settin
                   bench.work.queries.size(),
                   -1,
                   rounds,
-                  today};
+                  today,
+                  program};
     if (errors && method < bench.methods.size())
       m.rmse = errors->of(bench.methods[method], setting.shadow_samples);
     ++method;
@@ -77,8 +79,10 @@ std::vector<Measurement> measured(const BenchScene& bench, const Setting& settin
 Task missing(Task task, const Journal& journal) {
   std::erase_if(task.shadow_samples, [&](std::uint32_t d) {
     const Setting setting = setting_of(task, d);
-    return std::all_of(task.contenders.begin(), task.contenders.end(), [&](Contender contender) {
-      return journal.find(setting, name_of(contender)) != nullptr;
+    std::vector<std::string> methods{embree, embree_hard};
+    for (const Contender contender : task.contenders) methods.push_back(name_of(contender));
+    return std::all_of(methods.begin(), methods.end(), [&](const std::string& method) {
+      return journal.find(setting, method) != nullptr;
     });
   });
   return task;
@@ -89,7 +93,7 @@ void run(const Task& task, const Scene& loaded, Journal& journal, const Tell& te
   wishes.light_radius = parse_light_radius(task.light_radius);
   const Scene scene = complete_scene(loaded, wishes);
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  const BenchScene bench(scene, {task.contenders, EmbreeSpheres::native}, options_of(task));
+  const BenchScene bench(scene, {task.contenders, {}}, options_of(task));
   std::optional<Errors> errors;
   if (task.reference_samples > 0) errors.emplace(bench, task.reference_samples);
   for (std::size_t i = 0; i < task.shadow_samples.size(); ++i) {
@@ -113,7 +117,7 @@ void measure_all(const Plan& plan, Journal& journal, const std::function<void(do
   for (const Task& task : tasks) {
     if (task.shadow_samples.empty()) continue;
     auto [scene, is_new] = scenes.try_emplace(task.scene);
-    if (is_new) scene->second = load_scene(task.scene, {});
+    if (is_new) scene->second = load(plan, task.scene);
     run(task, scene->second, journal,
         [&](double share) { progress((done + share * task.cost()) / all); });
     done += task.cost();

@@ -10,6 +10,10 @@
 
 namespace penumbra::reproduce {
 
+// The baselines among the methods.
+inline constexpr const char* embree = "embree";
+inline constexpr const char* embree_hard = "embree_hard";
+
 /// What is asked: a square picture of a scene under one light radius, with one d.
 struct Setting {
   std::string experiment;    ///< what for: "tables", "samples", ...
@@ -27,6 +31,7 @@ struct Measurement {
   double rmse = -1;  ///< to a picture with far more samples; negative: not measured
   std::uint32_t rounds = 0;
   std::string date;
+  std::string program;  ///< that measured: checksum of its file
 };
 
 /// Calls visit(name, value) for all that is kept of a measurement, in the order of its file.
@@ -51,6 +56,7 @@ void each_field(M& m, Visit&& visit) {
   visit("geometry_bytes", m.row.geometry_bytes), visit("shadow_bytes", m.row.shadow_bytes);
   visit("embree_call", m.row.variant), visit("different_samples", m.row.different_samples);
   visit("rmse", m.rmse), visit("rounds", m.rounds), visit("date", m.date);
+  visit("program", m.program);
 }
 
 }  // namespace penumbra::reproduce

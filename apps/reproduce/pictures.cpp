@@ -6,7 +6,7 @@
 #include <array>
 #include <filesystem>
 
-#include "../scene_argument.h"
+#include "../options.h"
 #include "class_map.h"
 #include "paper.h"
 #include "penumbra/scene/complete_scene.h"
@@ -15,6 +15,7 @@
 #include "penumbra/scene_io/write_scene.h"
 #include "penumbra/trace/prepare.h"
 #include "results.h"
+#include "scenes.h"
 
 namespace penumbra::reproduce {
 namespace {
@@ -29,6 +30,13 @@ double decided(const ShadowCounters& n) {
   return all == 0 ? 0 : 100 * static_cast<double>(n.lit + n.umbra) / all;
 }
 
+/// A file's own lights may be points; built-in ones are balls, made to look well.
+SceneOptions wishes(const Plan& plan, PaperSceneIndex scene) {
+  SceneOptions options;
+  if (plan.scenes[scene].is_stand_in) options.light_radius = parse_light_radius(plan.size_radius);
+  return options;
+}
+
 /// One scene's pictures.
 class Painter {
  public:
@@ -36,7 +44,7 @@ class Painter {
       : plan_(plan),
         folder_(std::move(folder)),
         stem_(fmt::format("figure{}", 9 + static_cast<int>(scene))),
-        scene_(complete_scene(load_scene(plan.scenes[scene].scene, {}), {})),
+        scene_(complete_scene(load(plan, plan.scenes[scene].scene), wishes(plan, scene))),
         kernel_(scene_.shapes, kernel_options(scene_)) {
     options_.width = options_.height = plan.picture_size;
     options_.shadow_samples = plan.picture_samples;

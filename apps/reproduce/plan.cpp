@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "plan.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
-
-#include <filesystem>
+#include <sys/stat.h>
 
 #include "paper.h"
 
@@ -16,11 +16,9 @@ constexpr Contender single(Method method) { return {method, RayGrouping::single}
 
 /// Of a stand-in, what tells that it is still the same file.
 std::string file_stamp(const std::string& name) {
-  std::error_code error;
-  const auto size = std::filesystem::file_size(name, error);
-  if (error) return name;
-  const auto time = std::filesystem::last_write_time(name, error).time_since_epoch().count();
-  return fmt::format("{} of {} bytes, {}", name, size, time);
+  struct stat status {};
+  if (::stat(name.c_str(), &status) != 0) return name;
+  return fmt::format("{} ({} bytes, {:%F %T})", name, status.st_size, fmt::gmtime(status.st_mtime));
 }
 
 std::vector<Contender> table_contenders() {
@@ -42,8 +40,13 @@ Plan make_plan(Effort effort, const std::string& molecule_file, const std::strin
   p.scenes = {{{"cylinders", "0.1"},
                {"balls:4", "0.00617284"},  // that of its smallest balls
                {"rings", "0.05"},
-               {molecule_file.empty() ? "molecule" : molecule_file, "1%"},
-               {bust_file.empty() ? "bust" : bust_file, "1%"}}};
+               {"molecule", "1%"},
+               {"bust", "1%"}}};
+  const auto stand_in = [&](PaperSceneIndex scene, const std::string& file) {
+    if (!file.empty()) p.scenes[scene].scene = file, p.scenes[scene].is_stand_in = true;
+  };
+  stand_in(molecule, molecule_file);
+  stand_in(bust, bust_file);
   p.size_radius = "5%";
   p.sample_scenes = {cylinders, molecule, bust, balls4};
   p.beyond_scenes = {balls4, molecule, bust};
@@ -57,7 +60,7 @@ Plan make_plan(Effort effort, const std::string& molecule_file, const std::strin
       p.picture_size = 1024, p.picture_samples = 64, p.picture_spp = 16;
       break;
     case Effort::quick:
-      p.rounds = 3, p.large_rounds = 2;
+      p.rounds = 3, p.large_rounds = 3;
       p.sample_counts = {1, 8, 32, 128}, p.reference_samples = 1024;
       p.light_radii = {"1%", "5%", "20%"}, p.large_size = 192;
       p.sizes = {64, 128, 256};
@@ -78,17 +81,21 @@ Plan make_plan(Effort effort, const std::string& molecule_file, const std::strin
   return p;
 }
 
-std::string option_of(Effort effort) {
-  switch (effort) {
-    case Effort::quick: return " --quick";
-    case Effort::smoke: return " --smoke";
-    default: return "";
-  }
+std::string command_of(const Plan& plan) {
+  std::string command = "penumbra reproduce";
+  if (plan.effort == Effort::quick) command += " --quick";
+  if (plan.effort == Effort::smoke) command += " --smoke";
+  if (plan.scenes[molecule].is_stand_in) command += " --molecule " + plan.scenes[molecule].scene;
+  if (plan.scenes[bust].is_stand_in) command += " --bust " + plan.scenes[bust].scene;
+  return command;
 }
 
 std::string name_of(const Plan& plan) {
-  return fmt::format("{}; {}; {}", "reproduce" + option_of(plan.effort),
-                     file_stamp(plan.scenes[molecule].scene), file_stamp(plan.scenes[bust].scene));
+  std::string name = fmt::format("{}, {} and {} rounds, errors to d = {}", command_of(plan),
+                                 plan.rounds, plan.large_rounds, plan.reference_samples);
+  for (const PlannedScene& scene : plan.scenes)
+    if (scene.is_stand_in) name += "; " + file_stamp(scene.scene);
+  return name;
 }
 
 double Task::cost() const {

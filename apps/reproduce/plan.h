@@ -16,6 +16,7 @@ namespace penumbra::reproduce {
 struct PlannedScene {
   std::string scene;         ///< a file, or a built-in scene
   std::string light_radius;  ///< ours: the paper's are printed for Table 4 alone
+  bool is_stand_in = false;  ///< a file, in place of the paper's
 };
 
 /// The scenes in the order of `paper_scenes`.
@@ -28,7 +29,7 @@ enum class Effort { full, quick, smoke };
 struct Plan {
   Effort effort = Effort::full;
   std::array<PlannedScene, 5> scenes;
-  std::uint32_t paper_size = 128;  ///< its pictures': smaller for a smoke test alone
+  std::uint32_t paper_size = 128;              ///< its pictures': smaller for a smoke test alone
   std::uint32_t rounds = 0, large_rounds = 0;  ///< of the tables; of all else
   std::vector<PaperSceneIndex> sample_scenes;  ///< time against d: three in the paper
   std::vector<std::uint32_t> sample_counts;
@@ -45,11 +46,11 @@ struct Plan {
 /// `molecule` and `bust`: empty, or files in place of the built-in scenes.
 Plan make_plan(Effort effort, const std::string& molecule, const std::string& bust);
 
-/// As it is asked for: " --quick", or nothing.
-std::string option_of(Effort effort);
+/// As it is asked for: "penumbra reproduce --quick --bust scan.ply".
+std::string command_of(const Plan& plan);
 
-/// All that the plan's measurements depend on, beside machine and version: rounds, and the size and
-/// time of files.
+/// All that the plan's measurements depend on, beside machine and version: effort, rounds, and the
+/// size and time of files.
 std::string name_of(const Plan& plan);
 
 /// Settings that share a scene, a light and a size, and who answers them; Embree always does.

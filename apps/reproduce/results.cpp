@@ -51,9 +51,9 @@ const char* slug_of(PaperSceneIndex scene) {
 }
 
 std::string title_of(const Plan& plan, PaperSceneIndex scene) {
-  const std::string& name = plan.scenes[scene].scene;
-  const bool is_built_in = name == make_plan(plan.effort, "", "").scenes[scene].scene;
-  return is_built_in ? paper_scenes[scene].title : std::filesystem::path(name).filename().string();
+  const PlannedScene& planned = plan.scenes[scene];
+  return planned.is_stand_in ? std::filesystem::path(planned.scene).filename().string()
+                             : paper_scenes[scene].title;
 }
 
 std::string grouped(std::uint64_t number) {

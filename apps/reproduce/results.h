@@ -10,9 +10,6 @@
 
 namespace penumbra::reproduce {
 
-inline constexpr const char* embree = "embree";
-inline constexpr const char* embree_hard = "embree_hard";
-
 /// The plan's measurements: all of them must be in the journal.
 struct Results {
   const Plan& plan;

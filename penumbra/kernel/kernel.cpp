@@ -2,6 +2,7 @@
 #include "penumbra/kernel/kernel.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace penumbra {
 
@@ -89,6 +90,18 @@ OccludedReport Kernel::occluded(const LightSamples& rays, std::span<const std::u
   return data_->kind == KernelKind::wide
              ? penumbra::occluded(data_->tree, rays, active, blocked)
              : occluded_brute(data_->tree.records, rays, active, blocked);
+}
+
+SingleReport Kernel::occluded_singly(const LightSamples& rays,
+                                     std::span<const std::uint32_t> active, RecentRecords& recent,
+                                     std::span<std::uint32_t> blocked) const {
+  if (data_->kind == KernelKind::wide)
+    return penumbra::occluded_singly(data_->tree, rays, active, recent, blocked);
+  SingleReport report;
+  report.tests = occluded_brute(data_->tree.records, rays, active, blocked).tests;
+  for (const std::uint32_t word : active)
+    report.traced += static_cast<std::uint64_t>(std::popcount(word));
+  return report;
 }
 
 std::span<const Record> Kernel::records() const { return data_->tree.records; }

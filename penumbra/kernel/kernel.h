@@ -66,6 +66,11 @@ class Kernel {
   OccludedReport occluded(const LightSamples& rays, std::span<const std::uint32_t> active,
                           std::span<std::uint32_t> blocked) const;
 
+  /// The same, one ray after the other: see `occluded_singly` in traverse.h. Brute force knows no
+  /// recent records.
+  SingleReport occluded_singly(const LightSamples& rays, std::span<const std::uint32_t> active,
+                               RecentRecords& recent, std::span<std::uint32_t> blocked) const;
+
   /// The shapes in the form that is traversed, in an order of the kernel's own.
   std::span<const Record> records() const;
 

@@ -111,6 +111,42 @@ OccludedReport OccludedWide(const WideTree& tree, const LightSamples& rays,
   return progress.report;
 }
 
+/// One ray of a packet.
+bool is_occluded(const WideTree& tree, const Packet& packet, std::uint32_t bit,
+                 RecentRecords& recent, SingleReport& report) {
+  for (const std::uint32_t record : recent.record) {
+    if (record == no_record) continue;
+    ++report.tests;
+    if (blocked_by(tree.records[record], packet, bit) == 0) continue;
+    ++report.decided;
+    return true;
+  }
+  Progress progress{bit, {}};
+  traverse(tree, packet, bit, progress);
+  ++report.traced;
+  report.tests += progress.report.tests;
+  if (progress.remaining == 0)
+    recent.move_to_front(progress.report.blocker);
+  else
+    recent.drop_last();
+  return progress.remaining == 0;
+}
+
+SingleReport OccludedSingly(const WideTree& tree, const LightSamples& rays,
+                            std::span<const std::uint32_t> active, RecentRecords& recent,
+                            std::span<std::uint32_t> blocked) {
+  SingleReport report;
+  for (std::uint32_t word = 0; 32 * word < rays.count; ++word) {
+    blocked[word] = 0;
+    if (active[word] == 0 || tree.nodes.empty()) continue;
+    const Packet packet(rays, 32 * word);  // what a ray needs of its own direction, for all of them
+    each_ray(active[word], [&](std::uint32_t ray) {
+      if (is_occluded(tree, packet, 1u << ray, recent, report)) blocked[word] |= 1u << ray;
+    });
+  }
+  return report;
+}
+
 OccludedReport OccludedAmong(std::span<const Record> records, std::span<const std::uint32_t> list,
                              const LightSamples& rays, std::span<const std::uint32_t> active,
                              std::span<std::uint32_t> blocked) {
@@ -134,11 +170,18 @@ HWY_AFTER_NAMESPACE();
 namespace penumbra {
 
 HWY_EXPORT(OccludedWide);
+HWY_EXPORT(OccludedSingly);
 HWY_EXPORT(OccludedAmong);
 
 OccludedReport occluded(const WideTree& tree, const LightSamples& rays,
                         std::span<const std::uint32_t> active, std::span<std::uint32_t> blocked) {
   return HWY_DYNAMIC_DISPATCH(OccludedWide)(tree, rays, active, blocked);
+}
+
+SingleReport occluded_singly(const WideTree& tree, const LightSamples& rays,
+                             std::span<const std::uint32_t> active, RecentRecords& recent,
+                             std::span<std::uint32_t> blocked) {
+  return HWY_DYNAMIC_DISPATCH(OccludedSingly)(tree, rays, active, recent, blocked);
 }
 
 OccludedReport occluded_among(std::span<const Record> records, std::span<const std::uint32_t> list,

@@ -2,6 +2,7 @@
 // The questions a kernel answers, over records: by hierarchy, and by brute force.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -29,10 +30,35 @@ struct OccludedReport {
   std::uint32_t blocker = no_record;
 };
 
+/// The two records that blocked last (paper, sections 2 and 5).
+struct RecentRecords {
+  std::array<std::uint32_t, 2> record{no_record, no_record};
+
+  /// A hit: `blocker` comes to the front, once.
+  void move_to_front(std::uint32_t blocker) {
+    if (record[0] != blocker) record[1] = record[0];
+    record[0] = blocker;
+  }
+  /// A miss drops the last.
+  void drop_last() { (record[1] != no_record ? record[1] : record[0]) = no_record; }
+};
+
+/// What any-hit queries of single rays did: (ray, record) tests; rays that a recent record blocked;
+/// rays that went through the tree.
+struct SingleReport {
+  std::uint64_t tests = 0, decided = 0, traced = 0;
+};
+
 // Through the tree, on the best instruction set that this processor has.
 NearestRecord nearest(const WideTree& tree, const Ray& ray);
 OccludedReport occluded(const WideTree& tree, const LightSamples& rays,
                         std::span<const std::uint32_t> active, std::span<std::uint32_t> blocked);
+
+/// The same, one ray after the other, as tracers did before packets: a recent record that blocks
+/// the ray decides it; a traced ray moves what blocked it to the front, or drops the last.
+SingleReport occluded_singly(const WideTree& tree, const LightSamples& rays,
+                             std::span<const std::uint32_t> active, RecentRecords& recent,
+                             std::span<std::uint32_t> blocked);
 
 /// Any hit against the records of a list alone, in its order.
 OccludedReport occluded_among(std::span<const Record> records, std::span<const std::uint32_t> list,

@@ -32,20 +32,11 @@ class Backoff {
 };
 
 /// One queue. Entries index the kernel's records.
-struct OccluderQueue {
-  std::array<std::uint32_t, 2> record{no_record, no_record};
+struct OccluderQueue : RecentRecords {
   std::uint32_t inner_volume = no_volume;  ///< of the last umbra proof by one (`umbra`)
   /// Of `shaft`: lists and sheets, for groups of 64, 16, 4 receivers and for one.
   std::array<Backoff, 4> list, sheet;
   Backoff closely;  ///< proofs in double precision
-
-  /// A hit: `blocker` comes to the front, once.
-  void move_to_front(std::uint32_t blocker) {
-    if (record[0] != blocker) record[1] = record[0];
-    record[0] = blocker;
-  }
-  /// A miss drops the last.
-  void drop_last() { (record[1] != no_record ? record[1] : record[0]) = no_record; }
 };
 
 /// The queues of one block of pixels. Paths beyond the first 64 of a ray tree share theirs.

@@ -13,19 +13,15 @@ namespace penumbra {
 
 namespace {
 
-/// One ray; the padding repeats it.
-void make_single(Vec3f from, Vec3f to, float t_max, LightSamples& out) {
+/// The one ray of `hard`: to the centre.
+void aim_at_center(const LightShape& light, Vec3f p, LightSamples& out) {
+  const Vec3f to = towards_center(light, p);
   out.resize(1);
-  out.origin = from, out.t_max = t_max;
+  out.origin = p;
+  out.t_max = center(light) ? 1.0f : std::numeric_limits<float>::infinity();
   std::fill(out.x.begin(), out.x.end(), to.x);
   std::fill(out.y.begin(), out.y.end(), to.y);
   std::fill(out.z.begin(), out.z.end(), to.z);
-}
-
-/// The one ray of `hard`: to the centre.
-void aim_at_center(const LightShape& light, Vec3f p, LightSamples& out) {
-  make_single(p, towards_center(light, p),
-              center(light) ? 1.0f : std::numeric_limits<float>::infinity(), out);
 }
 
 /// Cosine of each sample, and a bit for each that lies above the horizon; -1 says that it doesn't.
@@ -100,47 +96,6 @@ std::uint64_t trace_samples(const Kernel& kernel, OccluderQueue& queue, SampleSc
   return rays;
 }
 
-namespace {
-
-/// One ray, as tracers of the paper's time did it: a hit in the queue decides, a traced hit comes to
-/// its front, a miss drops its last.
-bool is_blocked(const Kernel& kernel, const LightSamples& ray, OccluderQueue& queue,
-                ShadowCounters& counters) {
-  const std::uint32_t active = 1;
-  std::uint32_t blocked = 0;
-  std::uint32_t known[2], count = 0;
-  for (const std::uint32_t record : queue.record)
-    if (record != no_record) known[count++] = record;
-  counters.tests +=
-      occluded_among(kernel.records(), std::span(known, count), ray, {&active, 1}, {&blocked, 1})
-          .tests;
-  counters.cache_decided += blocked;
-  if (blocked) return true;
-  const OccludedReport report = kernel.occluded(ray, {&active, 1}, {&blocked, 1});
-  ++counters.rays;
-  counters.tests += report.tests;
-  if (blocked)
-    queue.move_to_front(report.blocker);
-  else
-    queue.drop_last();
-  return blocked;
-}
-
-}  // namespace
-
-std::uint64_t trace_singly(const Kernel& kernel, OccluderQueue& queue, SampleScratch& scratch,
-                           ShadowCounters& counters) {
-  const std::uint64_t before = counters.rays;
-  const LightSamples& all = scratch.samples;
-  for (std::uint32_t i = 0; i < all.count; ++i) {
-    if (!(scratch.active[i / 32] >> i % 32 & 1)) continue;
-    make_single(all.origin, {all.x[i], all.y[i], all.z[i]}, all.t_max, scratch.single);
-    const std::uint32_t is_hidden = is_blocked(kernel, scratch.single, queue, counters);
-    scratch.blocked[i / 32] |= is_hidden << i % 32;
-  }
-  return counters.rays - before;
-}
-
 std::uint64_t trace_samples(const Kernel& kernel, std::span<const std::uint32_t> records,
                             OccluderQueue& queue, SampleScratch& scratch,
                             ShadowCounters& counters) {
@@ -162,6 +117,16 @@ std::uint64_t trace_word(const Kernel& kernel, std::span<const std::uint32_t> re
       occluded_among(kernel.records(), records, scratch.samples, scratch.remaining, scratch.by_one),
       rays, queue, scratch, counters);
   return rays;
+}
+
+std::uint64_t trace_singly(const Kernel& kernel, OccluderQueue& queue, SampleScratch& scratch,
+                           ShadowCounters& counters) {
+  const SingleReport report =
+      kernel.occluded_singly(scratch.samples, scratch.active, queue, scratch.blocked);
+  counters.rays += report.traced;
+  counters.tests += report.tests;
+  counters.cache_decided += report.decided;
+  return report.traced;
 }
 
 Visibility sum_up(const SampleScratch& scratch) {

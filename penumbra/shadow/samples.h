@@ -24,7 +24,6 @@ struct SampleScratch {
   std::vector<std::uint32_t> active;   ///< above the horizon
   std::vector<std::uint32_t> blocked;  ///< of the active ones
   std::vector<std::uint32_t> remaining, by_one;
-  LightSamples single;  ///< one of the samples
 };
 
 /// Directions to the light's samples, their weights, and `active`; returns the number of these.
@@ -37,10 +36,6 @@ std::uint32_t take_samples(const ShadowScene& scene, std::uint32_t light, const 
 std::uint64_t trace_samples(const Kernel& kernel, OccluderQueue& queue, SampleScratch& scratch,
                             ShadowCounters& counters);
 
-/// The same, one ray after the other: the queue is asked for each, and learns from each.
-std::uint64_t trace_singly(const Kernel& kernel, OccluderQueue& queue, SampleScratch& scratch,
-                           ShadowCounters& counters);
-
 /// The same by some of the kernel's records, if no other can block.
 std::uint64_t trace_samples(const Kernel& kernel, std::span<const std::uint32_t> records,
                             OccluderQueue& queue, SampleScratch& scratch, ShadowCounters& counters);
@@ -49,6 +44,10 @@ std::uint64_t trace_samples(const Kernel& kernel, std::span<const std::uint32_t>
 std::uint64_t trace_word(const Kernel& kernel, std::span<const std::uint32_t> records,
                          std::uint32_t word, OccluderQueue& queue, SampleScratch& scratch,
                          ShadowCounters& counters);
+
+/// By the geometry set, one ray after the other: the queue is asked for each, and learns from each.
+std::uint64_t trace_singly(const Kernel& kernel, OccluderQueue& queue, SampleScratch& scratch,
+                           ShadowCounters& counters);
 
 /// The visible part, given `blocked`; sums run in sample order. Without class.
 Visibility sum_up(const SampleScratch& scratch);

@@ -35,9 +35,9 @@ constexpr bool has_shadow_set(Method method) {
 /// True for methods that prove points lit or in umbra, without samples.
 constexpr bool proves(Method method) { return has_shadow_set(method) || method == Method::shaft; }
 
-/// How the paper's methods trace the samples of a point: in packets, or one ray after the other with
-/// the cache of the paper asked for each (sections 2 and 5), as tracers of its time did. Same answers,
-/// other counters and times. `shaft` knows packets alone.
+/// How the paper's methods trace the samples of a point: in packets, or one ray after the other
+/// with the cache of the paper asked for each (sections 2 and 5), as tracers of its time did. Same
+/// answers, other counters and times. `shaft` knows packets alone.
 enum class RayGrouping { packets, single };
 
 /// Refers to the kernel, which must live as long.

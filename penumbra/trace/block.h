@@ -17,8 +17,8 @@ struct Area {
 };
 
 /// Draws the pixels of an area of at most `block_edge` squared. Neighbouring samples are traced in
-/// waves. The occluder cache starts empty; `visibility` is the thread's memory. Returns counters and
-/// times.
+/// waves. The occluder cache starts empty; `visibility` is the thread's memory. Returns counters
+/// and times.
 TraceScratch render_block(const TraceContext& context, const RenderOptions& options,
                           const CameraRays& camera, Area block, VisibilityScratch& visibility,
                           Image& image);

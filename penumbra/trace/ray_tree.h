@@ -26,8 +26,7 @@ struct TraceContext {
 
 /// What one thread owns while it works on a block of pixels.
 struct TraceScratch {
-  TraceScratch(VisibilityScratch& thread, std::size_t lights)
-      : visibility(thread), cache(lights) {}
+  TraceScratch(VisibilityScratch& thread, std::size_t lights) : visibility(thread), cache(lights) {}
   VisibilityScratch& visibility;  // outlives the block
   OccluderCache cache;
   RenderCounters counters;

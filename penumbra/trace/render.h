@@ -30,8 +30,8 @@ struct AnsweredBatch {
   std::span<const Visibility> seen;
 };
 
-/// Where the one ray of a pixel goes: through its centre, or, as the Standard Procedural Databases have
-/// it, through its upper left corner. More samples a pixel are spread over it.
+/// Where the one ray of a pixel goes: through its centre, or, as the Standard Procedural Databases
+/// have it, through its upper left corner. More samples a pixel are spread over it.
 enum class PixelPoint { center, corner };
 
 struct RenderOptions {

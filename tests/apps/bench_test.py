@@ -53,11 +53,12 @@ class Bench(CliTest):
         self.assertEqual(rows["embree_hard"]["ratio_to_hard"], 1)
 
     def test_embree_agrees_and_says_how_it_was_asked(self):
-        for spheres in ["native", "user"]:
-            found = self.bench("molecule", "--methods", "stochastic", "--embree-spheres", spheres)[0]
+        for spheres in ["native", "user", "native|user"]:
+            wanted = [] if "|" in spheres else ["--embree-spheres", spheres]
+            found = self.bench("molecule", "--methods", "stochastic", *wanted)[0]
             self.assertEqual([b["method"] for b in found["baselines"]], BASELINES)
             for baseline in found["baselines"]:
-                self.assertRegex(baseline["variant"], "^rtcOccluded(8|16|1M)(, coherent)?$")
+                self.assertRegex(baseline["variant"], rf"^rtcOccluded(8|16|1M)(, coherent)?, ({spheres}) spheres$")
                 self.assertLess(baseline["different_samples"], 1e-3)
             classes = {row["method"]: (row["lit"], row["umbra"], row["penumbra"]) for row in found["rows"]}
             for ours, theirs in zip(classes["stochastic"], classes["embree"]):

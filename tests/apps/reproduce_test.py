@@ -7,7 +7,7 @@ import page_rules
 from cli_case import CliTest, main
 
 PYRAMID = "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 1 0 1\nv 0.5 1 0.5\nf 1 2 4 3\nf 1 5 2\nf 2 5 4\nf 4 5 3\nf 3 5 1\n"
-PROVENANCE = ["run", "version", "compiler", "flags", "cpu", "cores", "instruction_set", "embree", "date"]
+PROVENANCE = ["run", "program", "version", "compiler", "flags", "cpu", "cores", "instruction_set", "embree", "date"]
 
 
 class Reproduce(CliTest):
@@ -75,11 +75,20 @@ class Reproduce(CliTest):
         self.assertRegex(without.stderr, "gnuplot.*gnuplot-nox")
         self.assertFalse((self.folder / "m").exists())
 
-    def test_measurements_of_another_run_are_told_and_dropped(self):
+    def test_measurements_of_another_run_are_kept(self):
         (self.folder / "r").mkdir()
-        (self.folder / "r" / "measurements.csv").write_text("experiment,scene\ntables,other\n")
-        self.assertIn("1 rows are of another", self.succeed(*self.arguments).stderr)
-        self.assertNotIn("other", {row["scene"] for row in self.rows()})
+        path = self.folder / "r" / "measurements.csv"
+        path.write_text("experiment,scene\ntables,other\n")
+        self.fail_with(1, *self.arguments, says="measurements.csv.*another folder")
+        path.unlink()
+        self.succeed(*self.arguments)
+        whole = path.read_text()
+        self.fail_with(1, *self.arguments[:3], "--quick", says="another run.*another folder")
+        self.assertEqual(path.read_text(), whole)
+
+        path.write_text(whole[:-150])  # a line is cut in the middle
+        self.succeed(*self.arguments)
+        self.assertEqual(len(self.rows()), whole.count("\n") - 1)
 
 
 if __name__ == "__main__":
