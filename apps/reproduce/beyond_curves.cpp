@@ -7,57 +7,75 @@
 #include <utility>
 
 #include "../options.h"
-#include "paper.h"
 
 namespace penumbra::reproduce {
 namespace {
 
-const std::string shaft = name_of(Contender{Method::shaft});
+constexpr Contender shaft{Method::shaft};
 
-/// How much faster `b` does the shadow work than `a`, between the outer quartiles.
+/// How many times longer `a` takes than `b`, between the outer quartiles.
 Point speedup(double x, const Timing& a, const Timing& b) {
   return {x, a.median / b.median, a.low / b.high, a.high / b.low};
 }
 
 using Settings = std::vector<std::pair<double, Setting>>;  // by x
 
-/// One curve a scene, and two plots: over Embree, and over one ray a point.
-std::vector<Plot> speed_plots(const Results& results, Plot plot,
+/// What `shaft` is held against, a plot each.
+struct Rival {
+  const char *id, *title, *y_label;
+  std::string method;
+  bool is_price = false;  ///< the ratio is ours over theirs
+};
+
+const std::vector<Rival>& rivals() {
+  static const std::vector<Rival> all{
+      {"embree", "Speed-up of shaft over Embree, ", "speed-up over Embree", embree},
+      {"packets", "Speed-up of shaft over our own packets, ", "speed-up over (b) in packets",
+       name_of(Contender{Method::stochastic})},
+      {"hard", "Price of shaft in hard shadows, ", "times one ray a point by Embree", embree_hard,
+       true}};
+  return all;
+}
+
+/// One curve a scene, one plot a rival.
+std::vector<Plot> speed_plots(const Results& results, const Plot& about,
                               const std::function<Settings(const PlannedScene&)>& settings) {
-  Plot to_hard = plot;
-  plot.id += "-speedup", plot.y_label = "speed-up over Embree";
-  plot.title = "Speed-up of shaft over Embree's packets, " + plot.title;
-  to_hard.id += "-hard", to_hard.y_label = "times one hard ray a point";
-  to_hard.title = "Price of shaft in hard shadows, " + to_hard.title;
-  int color = 0;
-  for (const PaperSceneIndex scene : results.plan.beyond_scenes) {
-    Curve faster{title_of(results.plan, scene), {}, CurveKind::points, {}, color};
-    Curve dearer = faster;
-    for (const auto& [x, setting] : settings(results.plan.scenes[scene])) {
-      const Timing& ours = results.of(setting, shaft).row.shadow;
-      faster.points.push_back(speedup(x, results.of(setting, embree).row.shadow, ours));
-      dearer.points.push_back(speedup(x, ours, results.of(setting, embree_hard).row.shadow));
+  std::vector<Plot> plots;
+  for (const Rival& rival : rivals()) {
+    Plot plot = about;
+    plot.id += std::string("-") + rival.id;
+    plot.title = rival.title + about.title;
+    plot.y_label = rival.y_label;
+    int color = 0;
+    for (const PaperSceneIndex scene : results.plan.beyond_scenes) {
+      Curve curve{title_of(results.plan, scene), {}, CurveKind::points, {}, color++};
+      for (const auto& [x, setting] : settings(results.plan.scenes[scene])) {
+        const Timing &ours = results.of(setting, shaft).row.shadow,
+                     &theirs = results.of(setting, rival.method).row.shadow;
+        curve.points.push_back(rival.is_price ? speedup(x, ours, theirs)
+                                              : speedup(x, theirs, ours));
+      }
+      plot.curves.push_back(std::move(curve));
     }
-    plot.curves.push_back(std::move(faster));
-    to_hard.curves.push_back(std::move(dearer));
-    ++color;
+    plots.push_back(std::move(plot));
   }
-  return {std::move(plot), std::move(to_hard)};
+  return plots;
 }
 
 }  // namespace
 
 std::vector<Plot> speed_against_light(const Results& results) {
-  const Plot plot{"light",
-                  "by light radius",
-                  fmt::format("Shadow work of a picture of {0} × {0} pixels, d = {1}, mirrors "
-                              "included; the fastest of Embree's packets and streams.",
-                              results.plan.large_size, paper_samples),
-                  "light radius, % of the scene's extent",
-                  {},
-                  true,
-                  true,
-                  {}};
+  const Plot plot{
+      "light",
+      "by light radius",
+      fmt::format("Shadow work alone of a picture of {0} × {0} pixels, d = {1}, mirrors "
+                  "included. Bars are between the outer quartiles.",
+                  results.plan.large_size, paper_samples),
+      "light radius, % of the scene's extent",
+      {},
+      true,
+      true,
+      {}};
   return speed_plots(results, plot, [&](const PlannedScene& scene) {
     Settings settings;
     for (const std::string& radius : results.plan.light_radii)
@@ -68,16 +86,17 @@ std::vector<Plot> speed_against_light(const Results& results) {
 }
 
 std::vector<Plot> speed_against_size(const Results& results) {
-  const Plot plot{"size",
-                  "by picture size",
-                  fmt::format("Shadow work under lights of {} of the extent, d = {}. Neighbouring "
-                              "pixels share queries: the more of them, the more is shared.",
-                              results.plan.size_radius, paper_samples),
-                  "pixels along an edge",
-                  {},
-                  true,
-                  true,
-                  {}};
+  const Plot plot{
+      "size",
+      "by picture size",
+      fmt::format("Shadow work alone under lights of {} of the extent, d = {}. Queries are "
+                  "shared by tiles of neighbouring pixels.",
+                  results.plan.size_radius, paper_samples),
+      "pixels along an edge",
+      {},
+      true,
+      true,
+      {}};
   return speed_plots(results, plot, [&](const PlannedScene& scene) {
     Settings settings;
     for (const std::uint32_t size : results.plan.sizes)
@@ -94,13 +113,13 @@ Plot growth(const Results& results) {
                         results.plan.growing.size(), results.plan.large_size,
                         results.plan.large_size, results.plan.size_radius, paper_samples),
             "objects",
-            "microseconds a point and light",
+            "µs a point and light",
             true,
             true,
             {}};
   const std::vector<std::pair<const char*, std::string>> methods{
       {"(b) packets", name_of(Contender{Method::stochastic})},
-      {"shaft", shaft},
+      {"shaft", name_of(shaft)},
       {"Embree", embree},
       {"Embree, one ray", embree_hard}};
   int color = 3;  // those of the plots against d

@@ -9,8 +9,8 @@
 
 namespace penumbra::reproduce {
 
-/// Speed-up of `shaft` over Embree's packets, and its ratio to one ray a point, against the light's
-/// radius.
+/// Speed-up of `shaft` over Embree and over our own packets, and its ratio to one ray a point,
+/// against the light's radius.
 std::vector<Plot> speed_against_light(const Results& results);
 
 /// The same against the picture's size.

@@ -6,10 +6,9 @@
 
 namespace penumbra::reproduce {
 
-/// R, G and B (linear) of the channels `class.light0`, `class.light1`, ...: lit is pale yellow,
-/// penumbra vermilion, umbra dark blue; of several lights the mean of their sRGB codes, since
-/// the mean of linear values would hide the dark ones. Throws Error where there is no
-/// such channel.
+/// R, G and B (linear) of the channel `class.light0`: lit is pale yellow, penumbra vermilion, umbra
+/// dark blue; grey where the channel `depth.Z`, if there is one, says that nothing was hit. Throws
+/// Error where there are no classes.
 Image class_map(const Image& picture);
 
 }  // namespace penumbra::reproduce

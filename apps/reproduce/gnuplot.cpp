@@ -106,8 +106,10 @@ std::string run_gnuplot(const std::string& script) {
   in.fill(script);
   const pid_t child = start(Redirections(in, out, err));
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+  pid_t ended = -1;
+  do ended = waitpid(child, &status, 0);
+  while (ended < 0 && errno == EINTR);
+  if (ended != child || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
     fail(fmt::format("failed ({})", one_line(err.bytes())), "is it gnuplot 5.4 or later?");
   return out.bytes();
 }

@@ -32,22 +32,24 @@ RenderOptions options_of(const Task& task) {
 /// Errors of pictures: to one with far more samples, and other ones.
 class Errors {
  public:
-  Errors(const BenchScene& bench, std::uint32_t reference_samples) : bench_(bench) {
+  Errors(const BenchScene& bench, std::uint32_t reference_samples)
+      : bench_(bench), shaft_(prepare_shadows(bench.scene, bench.kernel, Method::shaft)) {
     RenderOptions options = bench.options;
     options.shadow_samples = reference_samples;
     options.seed = options.seed + 1;
-    const ShadowScene shaft = prepare_shadows(bench.scene, bench.kernel, Method::shaft);
-    reference_ = render(bench.scene, shaft, options).image;
+    reference_ = render(bench.scene, shaft_, options).image;
   }
 
-  double of(const ShadowScene& shadows, std::uint32_t shadow_samples) const {
+  /// By `shaft`: all methods draw the same picture, which the bench checks.
+  double of(std::uint32_t shadow_samples) const {
     RenderOptions options = bench_.options;
     options.shadow_samples = shadow_samples;
-    return difference(render(bench_.scene, shadows, options).image, reference_, {}).rmse;
+    return difference(render(bench_.scene, shaft_, options).image, reference_, {}).rmse;
   }
 
  private:
   const BenchScene& bench_;
+  ShadowScene shaft_;
   Image reference_;
 };
 
@@ -56,20 +58,17 @@ std::vector<Measurement> measured(const BenchScene& bench, const Setting& settin
   std::vector<Measurement> all;
   const std::string today = fmt::format("{:%F}", fmt::gmtime(std::time(nullptr)));
   const std::string program = program_checksum();
-  std::size_t method = 0;  // ours come first, in the order of the bench's
+  const double rmse = errors ? errors->of(setting.shadow_samples) : -1;
   for (BenchRow& row : measure(bench, setting.scene, setting.shadow_samples, rounds, tell)) {
     Measurement m{setting,
                   std::move(row),
                   primitive_count(bench.scene.shapes),
                   bench.scene.lights.size(),
                   bench.work.queries.size(),
-                  -1,
+                  rmse,
                   rounds,
                   today,
                   program};
-    if (errors && method < bench.methods.size())
-      m.rmse = errors->of(bench.methods[method], setting.shadow_samples);
-    ++method;
     all.push_back(std::move(m));
   }
   return all;

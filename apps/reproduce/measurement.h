@@ -28,7 +28,7 @@ struct Measurement {
   Setting setting;
   BenchRow row;  ///< without its ratios, which follow from the others
   std::uint64_t objects = 0, lights = 0, questions = 0;
-  double rmse = -1;  ///< to a picture with far more samples; negative: not measured
+  double rmse = -1;  ///< of the picture, to one with far more samples; -1: not measured
   std::uint32_t rounds = 0;
   std::string date;
   std::string program;  ///< that measured: checksum of its file

@@ -32,7 +32,6 @@ struct PaperLight {
 };
 extern const std::array<PaperLight, 4> paper_lights;
 
-inline constexpr std::uint64_t paper_balls3_objects = 822;
 inline constexpr std::uint64_t paper_primary_rays = 16384;
 inline constexpr double paper_most_memory = 2;  ///< times that of the geometry set alone
 

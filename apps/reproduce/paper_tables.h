@@ -8,6 +8,7 @@
 namespace penumbra::reproduce {
 
 Table run_times(const Results& results);      ///< Table 1
+Table building(const Results& results);       ///< what Table 1 leaves out
 Table rays_traced(const Results& results);    ///< Table 2, objects, lights and rays
 Table tests_per_ray(const Results& results);  ///< Table 2, I_geom and I_shadow
 Table memory_taken(const Results& results);   ///< Table 3

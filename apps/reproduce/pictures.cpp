@@ -43,7 +43,7 @@ class Painter {
   Painter(const Plan& plan, PaperSceneIndex scene, fs::path folder)
       : plan_(plan),
         folder_(std::move(folder)),
-        stem_(fmt::format("figure{}", 9 + static_cast<int>(scene))),
+        stem_(fmt::format("figure{}", figure_of(scene))),
         scene_(complete_scene(load(plan, plan.scenes[scene].scene), wishes(plan, scene))),
         kernel_(scene_.shapes, kernel_options(scene_)) {
     options_.width = options_.height = plan.picture_size;
@@ -62,7 +62,7 @@ class Painter {
   /// `share` gets the decided share.
   View map(const char* name, Method method, double& share) const {
     RenderOptions options = options_;
-    options.aovs = {Aov::light_class};
+    options.aovs = {Aov::light_class, Aov::depth};
     const Picture picture = render(scene_, prepared(method), options);
     share = decided(picture.counters.shadow);
     const std::string file = fmt::format("{}-{}.png", stem_, name_of(method));
@@ -87,21 +87,21 @@ class Painter {
 std::vector<Gallery> draw_pictures(const Plan& plan, const fs::path& folder,
                                    const std::function<void(double)>& progress) {
   std::vector<Gallery> galleries;
-  for (const PaperSceneIndex scene : {cylinders, balls4, rings, molecule, bust}) {
+  for (const PaperSceneIndex scene : paper_order) {
     progress(static_cast<double>(scene) / static_cast<double>(plan.scenes.size()));
     const Painter painter(plan, scene, folder);
     double truth = 0, umbra = 0, shaft = 0;
-    Gallery gallery{fmt::format("figure{}", 9 + static_cast<int>(scene)), {}, {}, {}};
+    Gallery gallery{fmt::format("figure{}", figure_of(scene)), {}, {}, {}};
     gallery.views.push_back(painter.picture());
     gallery.views.push_back(painter.map("classes by samples", Method::stochastic, truth));
     gallery.views.push_back(painter.map("proven by umbra (e)", Method::umbra, umbra));
     gallery.views.push_back(painter.map("proven by shaft", Method::shaft, shaft));
-    gallery.title =
-        fmt::format("Figure {}: {}", 9 + static_cast<int>(scene), title_of(plan, scene));
+    gallery.title = fmt::format("Figure {}: {}", figure_of(scene), title_of(plan, scene));
     gallery.text = fmt::format(
-        "Decided without samples: {:.1f} % by umbra, {:.1f} % by shaft; wholly lit or wholly dark "
-        "by the samples: {:.1f} %.",
-        umbra, shaft, truth);
+        "{0} × {0} pixels, d = {1}. Of all points and lights, reflections included, {2:.1f} % are "
+        "wholly "
+        "lit or wholly dark by the samples; proven: {3:.1f} % by umbra, {4:.1f} % by shaft.",
+        plan.picture_size, plan.picture_samples, truth, umbra, shaft);
     galleries.push_back(std::move(gallery));
   }
   progress(1);

@@ -12,7 +12,6 @@ namespace {
 
 constexpr Contender hard{Method::hard}, plain{Method::stochastic}, shaft{Method::shaft},
     umbra{Method::umbra};
-constexpr Contender single(Method method) { return {method, RayGrouping::single}; }
 
 /// Of a stand-in, what tells that it is still the same file.
 std::string file_stamp(const std::string& name) {

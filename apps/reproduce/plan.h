@@ -26,6 +26,14 @@ enum PaperSceneIndex { cylinders, balls4, rings, molecule, bust };
 /// smoke: hardly any, to see that all of it works.
 enum class Effort { full, quick, smoke };
 
+inline constexpr std::array paper_order{cylinders, balls4, rings, molecule, bust};
+
+/// The figure in which the paper shows the scene.
+constexpr int figure_of(PaperSceneIndex scene) { return 9 + static_cast<int>(scene); }
+
+/// A method that traces ray by ray, as tracers of the paper's time did.
+constexpr Contender single(Method method) { return {method, RayGrouping::single}; }
+
 struct Plan {
   Effort effort = Effort::full;
   std::array<PlannedScene, 5> scenes;

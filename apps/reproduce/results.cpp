@@ -4,11 +4,10 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
-#include <cstddef>
 #include <filesystem>
 #include <stdexcept>
 
+#include "number_text.h"
 #include "paper.h"
 
 namespace penumbra::reproduce {
@@ -29,7 +28,8 @@ const std::vector<Variant>& variants() {
     rows.push_back({"stochastic, packets", name_of(Contender{Method::stochastic}), true});
     rows.push_back({"umbra, packets", name_of(Contender{Method::umbra}), true});
     rows.push_back({"shaft", name_of(Contender{Method::shaft}), true});
-    rows.push_back({"Embree packets", embree, true});
+    rows.push_back({"Embree", embree, true});
+    rows.push_back({"hard by Embree", embree_hard, true});
     return rows;
   }();
   return all;
@@ -56,23 +56,17 @@ std::string title_of(const Plan& plan, PaperSceneIndex scene) {
                              : paper_scenes[scene].title;
 }
 
-std::string grouped(std::uint64_t number) {
-  std::string digits = std::to_string(number);
-  for (auto i = static_cast<std::ptrdiff_t>(digits.size()) - 3; i > 0; i -= 3)
-    digits.insert(digits.begin() + i, ',');
-  return digits;
+std::vector<std::string> scene_titles(const Plan& plan) {
+  std::vector<std::string> titles;
+  for (const PaperSceneIndex scene : paper_order) titles.push_back(title_of(plan, scene));
+  return titles;
 }
 
-std::string rounded(double number) {
-  if (number == 0 || !std::isfinite(number)) return number == 0 ? "0" : "-";
-  if (std::abs(number) >= 999.5) return grouped(static_cast<std::uint64_t>(std::llround(number)));
-  const int before_point = static_cast<int>(std::floor(std::log10(std::abs(number)))) + 1;
-  return fmt::format("{:.{}f}", number, std::min(std::max(0, 3 - before_point), 6));
-}
-
-std::string with_spread(const Timing& t) {
-  const double percent = t.median > 0 ? 50 * (t.high - t.low) / t.median : 0;
-  return fmt::format("{} ms ± {:.0f} %", rounded(1000 * t.median), percent);
+std::string with_spread(const Timing& t, std::uint32_t rounds) {
+  const std::string time = rounded(1000 * t.median) + " ms";
+  if (rounds < 2 || t.median <= 0) return time;
+  const double percent = 50 * (t.high - t.low) / t.median;
+  return percent < 1 ? time + " ± < 1 %" : fmt::format("{} ± {:.0f} %", time, percent);
 }
 
 }  // namespace penumbra::reproduce

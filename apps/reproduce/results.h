@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was measured, by what it is asked for; and numbers as people read them.
+// What was measured, by what it is asked for, and under which names.
 #pragma once
 
 #include <cstdint>
@@ -39,11 +39,10 @@ const char* slug_of(PaperSceneIndex scene);
 /// "Cylinders", or the name of the file that stands in.
 std::string title_of(const Plan& plan, PaperSceneIndex scene);
 
-/// "1,397,529"
-std::string grouped(std::uint64_t number);
-/// Three significant digits: "0.413", "12.1", "1,230".
-std::string rounded(double number);
-/// "12.3 ms ± 2 %": half the distance of the quartiles.
-std::string with_spread(const Timing& timing);
+/// Of all scenes, in the paper's order.
+std::vector<std::string> scene_titles(const Plan& plan);
+
+/// "12.3 ms ± 2 %": half the distance of the quartiles; without it where there was one round.
+std::string with_spread(const Timing& timing, std::uint32_t rounds);
 
 }  // namespace penumbra::reproduce

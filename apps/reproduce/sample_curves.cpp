@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <initializer_list>
+
+#include "number_text.h"
 #include "paper.h"
 
 namespace penumbra::reproduce {
@@ -15,11 +18,10 @@ struct Contest {
 
 /// Those that answer for every d; the place is the curve's colour.
 const std::vector<Contest>& contests() {
-  const auto single = [](Method m) { return name_of(Contender{m, RayGrouping::single}); };
   static const std::vector<Contest> all{
-      {"(b) ray by ray", single(Method::stochastic)},
-      {"(d) ray by ray", single(Method::reduced)},
-      {"(e) ray by ray", single(Method::umbra)},
+      {"(b) ray by ray", name_of(single(Method::stochastic))},
+      {"(d) ray by ray", name_of(single(Method::reduced))},
+      {"(e) ray by ray", name_of(single(Method::umbra))},
       {"(b) packets", name_of(Contender{Method::stochastic})},
       {"shaft", name_of(Contender{Method::shaft})},
       {"Embree", embree},
@@ -27,17 +29,23 @@ const std::vector<Contest>& contests() {
   return all;
 }
 
-constexpr int packets = 3, shaft = 4;  // of them
+constexpr int umbra = 2, packets = 3, shaft = 4, embrees = 5;  // of them
+
+std::vector<Point> times(const Results& results, const PlannedScene& scene,
+                         const std::string& method, std::uint32_t least_samples) {
+  std::vector<Point> points;
+  for (const std::uint32_t d : results.plan.sample_counts) {
+    if (d < least_samples) continue;
+    const Timing& t = results.of(samples_setting(results.plan, scene, d), method).row.render;
+    points.push_back({double(d), 1000 * t.median, 1000 * t.low, 1000 * t.high});
+  }
+  return points;
+}
 
 Curve time_curve(const Results& results, const PlannedScene& scene, int contest) {
   const auto& [name, method] = contests()[static_cast<std::size_t>(contest)];
-  Curve curve{name, {}, CurveKind::fitted, fitted_time(results, scene, method), contest};
-  for (const std::uint32_t d : results.plan.sample_counts) {
-    const Timing& t = results.of(samples_setting(results.plan, scene, d), method).row.render;
-    curve.points.push_back({double(d), 1000 * t.median, 1000 * t.low, 1000 * t.high});
-  }
-  curve.fit.intercept *= 1000, curve.fit.slope *= 1000;
-  return curve;
+  return {name, times(results, scene, method, 0), CurveKind::fitted,
+          fitted_time(results, scene, method).line, contest};
 }
 
 Curve error_curve(const Results& results, const PlannedScene& scene, int contest) {
@@ -51,76 +59,85 @@ Curve error_curve(const Results& results, const PlannedScene& scene, int contest
 }
 
 /// The paper prints three of them.
-std::string figure_name(PaperSceneIndex scene) {
+std::string figure_name(const Plan& plan, PaperSceneIndex scene) {
+  const std::string title = title_of(plan, scene);
   switch (scene) {
-    case cylinders: return "Figure 6: ";
-    case molecule: return "Figure 7: ";
-    case bust: return "Figure 8: ";
-    default: return "Not in the paper: ";
+    case cylinders: return "Figure 6: " + title;
+    case molecule: return "Figure 7: " + title;
+    case bust: return "Figure 8: " + title;
+    default: return title + ", not in the paper";
   }
 }
 
-}  // namespace
-
-Line fitted_time(const Results& results, const PlannedScene& scene, const std::string& method) {
-  double w = 0, x = 0, y = 0, xx = 0, xy = 0;
-  for (const std::uint32_t d : results.plan.sample_counts) {
-    const double seconds =
-        results.of(samples_setting(results.plan, scene, d), method).row.render.median;
-    const double weight = 1 / (seconds * seconds);
-    w += weight, x += weight * d, y += weight * seconds;
-    xx += weight * d * d, xy += weight * d * seconds;
-  }
-  const double slope = (w * xy - x * y) / (w * xx - x * x);
-  return {(y - slope * x) / w, slope};
-}
-
-std::vector<Plot> times_against_samples(const Results& results) {
+std::vector<Plot> time_plots(const Results& results, const char* id, const char* text,
+                             std::initializer_list<int> chosen) {
   std::vector<Plot> plots;
   for (const PaperSceneIndex scene : results.plan.sample_scenes) {
-    Plot plot{fmt::format("samples-{}", slug_of(scene)),
-              figure_name(scene) + title_of(results.plan, scene),
-              "Time of a picture against the number of shadow samples, with fitted lines.",
+    Plot plot{fmt::format("{}-{}", id, slug_of(scene)),
+              figure_name(results.plan, scene),
+              text,
               "shadow samples d",
-              "milliseconds",
+              "milliseconds a picture",
               false,
               false,
               {}};
-    for (int i = 0; i < static_cast<int>(contests().size()); ++i)
+    for (const int i : chosen)
       plot.curves.push_back(time_curve(results, results.plan.scenes[scene], i));
     plots.push_back(std::move(plot));
   }
   return plots;
 }
 
+}  // namespace
+
+FittedLine fitted_time(const Results& results, const PlannedScene& scene,
+                       const std::string& method) {
+  const bool is_short = results.plan.effort == Effort::smoke;
+  return fit_line(times(results, scene, method, is_short ? 0 : 8));
+}
+
+std::vector<Plot> times_against_samples(const Results& results) {
+  return time_plots(results, "samples",
+                    "Time of a picture against the number of shadow samples, with lines fitted to "
+                    "d ≥ 8.",
+                    {0, 1, umbra, packets, shaft, embrees});
+}
+
+std::vector<Plot> fast_times_against_samples(const Results& results) {
+  std::vector<Plot> plots =
+      time_plots(results, "samples-fast", "The same without (b) and (d) ray by ray.",
+                 {umbra, packets, shaft, embrees});
+  for (Plot& plot : plots) plot.title += ", the faster ones";
+  return plots;
+}
+
+std::string to_text(const SlopeRatio& ratio) {
+  return (ratio.is_bound ? "> " : "") + rounded(ratio.times);
+}
+
 Table slopes(const Results& results) {
-  Table table{"slopes",
-              "Slopes of Figures 6 to 8",
-              "What one more sample a point costs a picture, in milliseconds, by the fitted lines; "
-              "and how many times less than by (b).",
-              "",
-              {},
-              {}};
+  Table table{
+      "slopes",
+      "Slopes of Figures 6 to 8",
+      "How many times more slowly time grows with d than by (b), by lines fitted to d ≥ 8; in "
+      "small print the slope, microseconds a sample. A bound stands where a line cannot be "
+      "told from level by two standard errors.",
+      "",
+      {},
+      {}};
   for (const PaperSceneIndex scene : results.plan.sample_scenes)
     table.columns.push_back(title_of(results.plan, scene));
-  const std::string& classical = contests().front().method;
   for (const Contest& contest : contests()) {
     Row row{contest.name, {}, !contest.method.ends_with("single rays")};
     for (const PaperSceneIndex index : results.plan.sample_scenes) {
       const PlannedScene& scene = results.plan.scenes[index];
-      const double slope = fitted_time(results, scene, contest.method).slope;
-      Cell cell{rounded(1000 * slope), {}, {}};
-      if (contest.method != classical) {
-        const double ratio = fitted_time(results, scene, classical).slope / slope;
-        cell.more = rounded(ratio) + " times less";
-        // The paper proves no umbra by meshes: on the bust its fast method is our (d).
-        const bool is_fast =
-            std::string_view(contest.name).starts_with(index == bust ? "(d)" : "(e)");
-        if (is_fast && paper_scenes[index].slope_ratio &&
-            title_of(results.plan, index) == paper_scenes[index].title)
-          cell.paper = rounded(*paper_scenes[index].slope_ratio) + " times less";
-      }
-      row.cells.push_back(std::move(cell));
+      const FittedLine plain = fitted_time(results, scene, contests().front().method),
+                       line = fitted_time(results, scene, contest.method);
+      const bool is_compared = contest.method == name_of(single(fast_method(index))) &&
+                               paper_scenes[index].slope_ratio && !scene.is_stand_in;
+      row.cells.push_back({to_text(slope_ratio(plain, line)),
+                           is_compared ? rounded(*paper_scenes[index].slope_ratio) : std::string(),
+                           fmt::format("{} µs", rounded(1000 * line.line.slope))});
     }
     table.rows.push_back(std::move(row));
   }
@@ -131,13 +148,15 @@ std::vector<Plot> errors_against_time(const Results& results) {
   std::vector<Plot> plots;
   for (const PaperSceneIndex scene : results.plan.sample_scenes) {
     Plot plot{fmt::format("error-{}", slug_of(scene)),
-              "Error against time: " + title_of(results.plan, scene),
-              fmt::format("Root mean square error of the picture to one of d = {} and another "
-                          "seed. Points are d = {} to {}: at the same d the error is the same.",
-                          results.plan.reference_samples, results.plan.sample_counts.front(),
-                          results.plan.sample_counts.back()),
-              "milliseconds",
-              "RMSE",
+              "Error against time, " + title_of(results.plan, scene),
+              fmt::format(
+                  "Root mean square error of linear colours to a picture of d = {} and another "
+                  "seed, against the time of a picture. Points are d = {} to {}: at the same d all "
+                  "methods have the same error, since they draw the same picture.",
+                  results.plan.reference_samples, results.plan.sample_counts.front(),
+                  results.plan.sample_counts.back()),
+              "milliseconds a picture",
+              "RMSE of linear colours",
               true,
               true,
               {}};

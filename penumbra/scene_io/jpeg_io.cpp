@@ -61,7 +61,7 @@ bool read_rows(Decoder& decoder, std::uint8_t* codes) {
   return true;
 }
 
-/// The same for writing; libjpeg's buffer grows by realloc, so it is freed here.
+/// The same for writing. libjpeg allocates a buffer, and sets `bytes` to it at the end alone.
 struct Encoder {
   jpeg_compress_struct info{};
   jpeg_error_mgr errors{};
@@ -139,6 +139,7 @@ std::string encode_jpeg(const Image& image, int quality, float exposure_ev) {
   const bool is_written = write_rows(encoder, image, codes.data(), quality);
   std::string bytes;
   if (is_written) bytes.assign(reinterpret_cast<const char*>(encoder.bytes), encoder.size);
+  if (!is_written && encoder.info.dest) encoder.info.dest->term_destination(&encoder.info);
   jpeg_destroy_compress(&encoder.info);
   std::free(encoder.bytes);
   if (!is_written)

@@ -53,7 +53,8 @@ Proofs expect_identity(const Scene& scene, const RenderOptions& options) {
 /// One ray after the other: other counters, the same picture.
 void expect_identity_of_single_rays(const Scene& scene, const RenderOptions& options) {
   const Kernel kernel(scene.shapes, kernel_options(scene));
-  for (const Method method : {Method::hard, Method::stochastic, Method::umbra}) {
+  for (const Method method :
+       {Method::hard, Method::stochastic, Method::offset, Method::reduced, Method::umbra}) {
     ShadowScene shadows = prepare_shadows(scene, kernel, method);
     const Picture packets = render(scene, shadows, options);
     shadows.rays = RayGrouping::single;
@@ -97,6 +98,7 @@ INSTANTIATE_TEST_SUITE_P(EveryLight, IdentityUnder, testing::ValuesIn(light_kind
 TEST_P(IdentityUnder, ALightOfThisShape) {
   for (const char* name : {"cylinders", "rings", "balls:1"})
     expect_identity(with_lights(built_in(name), GetParam(), 1.5f), picture(32, 8));
+  expect_identity_of_single_rays(with_lights(built_in("rings"), GetParam(), 1.5f), picture(32, 40));
 }
 
 class SlowIdentity : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
