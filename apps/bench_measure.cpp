@@ -297,7 +297,7 @@ std::vector<BenchRow> measure(const BenchScene& bench, const std::string& name,
   progress(0);
   if (bench.work.queries.empty())
     throw Error({name, {}, {}}, "the picture shows nothing that light could fall on",
-                "turn the camera, or give it lights");
+                "turn the camera (render and bench have --from and --at)");
   Race race(bench, shadow_samples);
   race.check(name);
   race.run(name, rounds, progress);
