@@ -18,20 +18,25 @@ const Measurement& Results::of(const Setting& setting, const std::string& method
                                      setting.experiment, setting.shadow_samples));
 }
 
-const std::vector<Variant>& variants() {
+const std::vector<Variant>& paper_variants() {
   static const std::vector<Variant> all = [] {
     std::vector<Variant> rows;
     const char* letters = "abcde";
     for (const Contender contender : paper_contenders())
       rows.push_back(
           {fmt::format("({}) {}", *letters++, name_of(contender.method)), name_of(contender)});
-    rows.push_back({"stochastic, packets", name_of(Contender{Method::stochastic}), true});
-    rows.push_back({"umbra, packets", name_of(Contender{Method::umbra}), true});
-    rows.push_back({"shaft", name_of(Contender{Method::shaft}), true});
-    rows.push_back({"Embree", embree, true});
-    rows.push_back({"hard by Embree", embree_hard, true});
     return rows;
   }();
+  return all;
+}
+
+const std::vector<Variant>& todays_variants() {
+  static const std::vector<Variant> all{
+      {"stochastic, packets", name_of(Contender{Method::stochastic})},
+      {"umbra, packets", name_of(Contender{Method::umbra})},
+      {"shaft", name_of(Contender{Method::shaft})},
+      {"Embree", embree},
+      {"hard by Embree", embree_hard}};
   return all;
 }
 

@@ -21,14 +21,15 @@ struct Results {
   }
 };
 
-/// One of the paper's rows, (a) to (e), and of ours.
+/// A row of the tables.
 struct Variant {
   std::string label;   ///< "(b) stochastic"
   std::string method;  ///< as measured
-  bool is_beyond = false;
 };
-/// (a) to (e) as tracers of the time did them, then those of today.
-const std::vector<Variant>& variants();
+/// (a) to (e) as tracers of the time did them.
+const std::vector<Variant>& paper_variants();
+/// Two in packets, shaft, then Embree, and hard by Embree.
+const std::vector<Variant>& todays_variants();
 
 /// The fastest of (c) to (e) in a setting.
 const Measurement& best_proof(const Results& results, const Setting& setting);
