@@ -60,6 +60,7 @@ Plan make_plan(Effort effort, const std::string& molecule_file, const std::strin
       break;
     case Effort::quick:
       p.rounds = 3, p.large_rounds = 3;
+      p.sample_scenes = {cylinders, molecule, bust};  // those of the paper
       p.sample_counts = {1, 8, 32, 128}, p.reference_samples = 1024;
       p.light_radii = {"1%", "5%", "20%"}, p.large_size = 192;
       p.sizes = {64, 128, 256};
