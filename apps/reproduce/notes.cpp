@@ -54,7 +54,7 @@ We hold of the paper: objects, times and shadow rays of (b) and of the best vari
 the ratios of slopes. Cells without a figure in brackets have nothing to compare with.
 
 The paper's row (a) of the bust has 32,136 shadow rays with 16,384 primary and no reflected rays:
-more than one light can explain. Ours has one light, and a ray for each point that faces it.
+more than its one light can account for. Ours has one light too, and a ray for each point that faces it.
 
 Cylinders, Molecule and Bust are not the paper's scenes but like them: their bracketed figures show the
 size of things, not a target.)";
