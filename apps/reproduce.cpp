@@ -23,7 +23,6 @@
 #include "reproduce/pictures.h"
 #include "reproduce/plots.h"
 #include "reproduce/tables_text.h"
-#include "scene_argument.h"
 
 namespace penumbra {
 namespace {
@@ -60,8 +59,8 @@ reproduce::Effort effort_of(const Options& o) {
 
 int run(const Options& o) {
   reproduce::check_gnuplot();
-  for (const std::string& file : {o.molecule, o.bust})
-    if (!file.empty()) load_scene(file, {});  // a wrong name should not cost an hour
+  const reproduce::Plan plan = reproduce::make_plan(effort_of(o), o.molecule, o.bust);
+  reproduce::Scenes scenes(plan);
   const fs::path folder = o.output;
   std::error_code error;
   fs::create_directories(folder, error);
@@ -71,7 +70,6 @@ int run(const Options& o) {
   check_output_path(folder / "index.html");
 
   const Machine machine = this_machine();
-  const reproduce::Plan plan = reproduce::make_plan(effort_of(o), o.molecule, o.bust);
   reproduce::Journal journal(folder / "measurements.csv", machine, name_of(plan));
   for (const reproduce::Measurement& m : journal.all())
     if (m.program != program_checksum()) {
@@ -84,12 +82,12 @@ int run(const Options& o) {
   const auto wish = o.always_progress ? ProgressWish::always : ProgressWish::on_terminal;
   {
     Progress progress("measuring", wish);
-    measure_all(plan, journal, [&](double share) { progress.update(share); });
+    measure_all(plan, scenes, journal, [&](double share) { progress.update(share); });
   }
   std::vector<reproduce::Gallery> pictures;
   {
     Progress progress("drawing", wish);
-    pictures = draw_pictures(plan, folder, [&](double share) { progress.update(share); });
+    pictures = draw_pictures(plan, scenes, folder, [&](double share) { progress.update(share); });
   }
   write_report(evaluate({plan, journal}, machine, std::move(pictures)), folder);
   fmt::print("{}\n", (folder / "index.html").string());

@@ -7,14 +7,12 @@
 
 #include <algorithm>
 #include <ctime>
-#include <map>
 #include <optional>
 #include <utility>
 
 #include "../image_difference.h"
 #include "../options.h"
 #include "penumbra/trace/prepare.h"
-#include "scenes.h"
 
 namespace penumbra::reproduce {
 namespace {
@@ -105,19 +103,17 @@ void run(const Task& task, const Scene& loaded, Journal& journal, const Tell& te
 
 }  // namespace
 
-void measure_all(const Plan& plan, Journal& journal, const std::function<void(double)>& progress) {
+void measure_all(const Plan& plan, Scenes& scenes, Journal& journal,
+                 const std::function<void(double)>& progress) {
   std::vector<Task> tasks;
   double all = 0, done = 0;
   for (const Task& task : tasks_of(plan)) {
     tasks.push_back(missing(task, journal));
     if (!tasks.back().shadow_samples.empty()) all += tasks.back().cost();
   }
-  std::map<std::string, Scene> scenes;
   for (const Task& task : tasks) {
     if (task.shadow_samples.empty()) continue;
-    auto [scene, is_new] = scenes.try_emplace(task.scene);
-    if (is_new) scene->second = load(plan, task.scene);
-    run(task, scene->second, journal,
+    run(task, scenes.of(task.scene), journal,
         [&](double share) { progress((done + share * task.cost()) / all); });
     done += task.cost();
   }

@@ -6,12 +6,14 @@
 
 #include "journal.h"
 #include "plan.h"
+#include "scenes.h"
 
 namespace penumbra::reproduce {
 
 /// Measures all that the journal lacks: camera rays through pixels' corners, one thread, methods
 /// interleaved. `progress` is told the finished share of the work, estimated. Answers that differ
 /// from those of `stochastic` end it with an Error.
-void measure_all(const Plan& plan, Journal& journal, const std::function<void(double)>& progress);
+void measure_all(const Plan& plan, Scenes& scenes, Journal& journal,
+                 const std::function<void(double)>& progress);
 
 }  // namespace penumbra::reproduce

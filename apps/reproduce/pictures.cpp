@@ -15,7 +15,6 @@
 #include "penumbra/scene_io/write_scene.h"
 #include "penumbra/trace/prepare.h"
 #include "results.h"
-#include "scenes.h"
 
 namespace penumbra::reproduce {
 namespace {
@@ -40,11 +39,11 @@ SceneOptions wishes(const Plan& plan, PaperSceneIndex scene) {
 /// One scene's pictures.
 class Painter {
  public:
-  Painter(const Plan& plan, PaperSceneIndex scene, fs::path folder)
+  Painter(const Plan& plan, PaperSceneIndex scene, const Scene& loaded, fs::path folder)
       : plan_(plan),
         folder_(std::move(folder)),
         stem_(fmt::format("figure{}", figure_of(scene))),
-        scene_(complete_scene(load(plan, plan.scenes[scene].scene), wishes(plan, scene))),
+        scene_(complete_scene(loaded, wishes(plan, scene))),
         kernel_(scene_.shapes, kernel_options(scene_)) {
     options_.width = options_.height = plan.picture_size;
     options_.shadow_samples = plan.picture_samples;
@@ -84,12 +83,12 @@ class Painter {
 
 }  // namespace
 
-std::vector<Gallery> draw_pictures(const Plan& plan, const fs::path& folder,
+std::vector<Gallery> draw_pictures(const Plan& plan, Scenes& scenes, const fs::path& folder,
                                    const std::function<void(double)>& progress) {
   std::vector<Gallery> galleries;
   for (const PaperSceneIndex scene : paper_order) {
     progress(static_cast<double>(scene) / static_cast<double>(plan.scenes.size()));
-    const Painter painter(plan, scene, folder);
+    const Painter painter(plan, scene, scenes.of(plan.scenes[scene].scene), folder);
     double truth = 0, umbra = 0, shaft = 0;
     Gallery gallery{fmt::format("figure{}", figure_of(scene)), {}, {}, {}};
     gallery.views.push_back(painter.picture());

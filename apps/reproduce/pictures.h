@@ -8,13 +8,15 @@
 
 #include "plan.h"
 #include "report.h"
+#include "scenes.h"
 
 namespace penumbra::reproduce {
 
 /// Renders each scene under its own lights, antialiased, and its class maps: of the samples, of
 /// `umbra` and of `shaft`. Writes them as PNG files into the folder. `progress` is told the
 /// finished share. Throws Error.
-std::vector<Gallery> draw_pictures(const Plan& plan, const std::filesystem::path& folder,
+std::vector<Gallery> draw_pictures(const Plan& plan, Scenes& scenes,
+                                   const std::filesystem::path& folder,
                                    const std::function<void(double)>& progress);
 
 }  // namespace penumbra::reproduce

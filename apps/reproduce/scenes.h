@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The scenes of a plan.
+// The scenes of a plan, each read once.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "../scene_argument.h"
@@ -9,11 +10,23 @@
 
 namespace penumbra::reproduce {
 
-/// A stand-in from its file; all others are built in, whatever files of their names there are.
-inline Scene load(const Plan& plan, const std::string& scene) {
-  for (const PlannedScene& planned : plan.scenes)
-    if (planned.is_stand_in && planned.scene == scene) return load_scene(scene, {});
-  return load_built_in_scene(scene);
-}
+class Scenes {
+ public:
+  /// Reads the stand-ins at once: a wrong name should not cost an hour. Throws Error.
+  explicit Scenes(const Plan& plan) {
+    for (const PlannedScene& planned : plan.scenes)
+      if (planned.is_stand_in) scenes_.try_emplace(planned.scene, load_scene(planned.scene, {}));
+  }
+
+  /// All others are built in, whatever files of their names there are.
+  const Scene& of(const std::string& name) {
+    const auto found = scenes_.find(name);
+    if (found != scenes_.end()) return found->second;
+    return scenes_.emplace(name, load_built_in_scene(name)).first->second;
+  }
+
+ private:
+  std::map<std::string, Scene> scenes_;
+};
 
 }  // namespace penumbra::reproduce
