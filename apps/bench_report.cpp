@@ -22,7 +22,7 @@ double share(std::uint64_t part, const ShadowCounters& n) {
 Json machine_json() {
   const Machine machine = this_machine();
   return {{"cpu", machine.cpu},
-          {"cores", std::stoi(machine.cores)},
+          {"cores", machine.cores},
           {"instruction_set", machine.instruction_set},
           {"embree", machine.embree},
           {"penumbra", machine.version},

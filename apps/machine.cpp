@@ -21,23 +21,24 @@ std::string cpu_name() {
   return "unknown";
 }
 
-}  // namespace
-
 std::string program_checksum() {
   std::ifstream file("/proc/self/exe", std::ios::binary);
   std::vector<char> bytes(1 << 16);
   uLong sum = crc32(0, nullptr, 0);
-  while (file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) || file.gcount() > 0)
-    sum =
-        crc32(sum, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(file.gcount()));
+  while (file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) || file.gcount() > 0) {
+    const auto count = static_cast<uInt>(file.gcount());
+    sum = crc32(sum, reinterpret_cast<const Bytef*>(bytes.data()), count);
+  }
   return fmt::format("{:08x}", sum);
 }
 
+}  // namespace
+
 Machine this_machine() {
-  return {cpu_name(),        std::to_string(std::thread::hardware_concurrency()),
+  return {cpu_name(),        std::thread::hardware_concurrency(),
           instruction_set(), embree_version(),
           PENUMBRA_VERSION,  PENUMBRA_COMPILER,
-          PENUMBRA_FLAGS};
+          PENUMBRA_FLAGS,    program_checksum()};
 }
 
 std::string to_text(const Machine& m) {

@@ -7,14 +7,13 @@
 namespace penumbra {
 
 struct Machine {
-  std::string cpu, cores, instruction_set, embree, version, compiler, flags;
-  friend bool operator==(const Machine&, const Machine&) = default;
+  std::string cpu;
+  unsigned cores = 1;
+  std::string instruction_set, embree, version, compiler, flags;
+  std::string program;  ///< CRC-32 of the program's file: tells builds of one version apart
 };
 
-/// Of this program's file (CRC-32, in hexadecimal): tells builds of one version apart.
-std::string program_checksum();
-
-/// This program on this machine.
+/// This program on this machine. Reads the program's file.
 Machine this_machine();
 
 /// "AMD EPYC, 2 cores, AVX3; Embree 3.13.5; penumbra 0.1.0"

@@ -24,6 +24,15 @@ std::string without_folders(const std::string& argument) {
 
 }  // namespace
 
+double geometry_tests_per_ray(const RenderCounters& n) {
+  return ratio(n.closest_tests + n.shadow.tests,
+               n.primary + n.reflected + n.refracted + n.shadow.rays);
+}
+
+double shadow_tests_per_ray(const RenderCounters& n) {
+  return ratio(n.shadow.set_tests, n.shadow.set_rays);
+}
+
 std::string stats_json(const RenderReport& report, const Picture& picture) {
   const RenderCounters& n = picture.counters;
   const nlohmann::ordered_json json = {
@@ -49,9 +58,7 @@ std::string stats_json(const RenderReport& report, const Picture& picture) {
       {"shadow_queries",
        {{"lit", n.shadow.lit}, {"penumbra", n.shadow.penumbra}, {"umbra", n.shadow.umbra}}},
       {"tests_per_ray",
-       {{"geometry", ratio(n.closest_tests + n.shadow.tests,
-                           n.primary + n.reflected + n.refracted + n.shadow.rays)},
-        {"shadow", ratio(n.shadow.set_tests, n.shadow.set_rays)}}},
+       {{"geometry", geometry_tests_per_ray(n)}, {"shadow", shadow_tests_per_ray(n)}}},
       {"cache_decided", n.shadow.cache_decided},
       {"verified", report.verified},
       {"memory_bytes", {{"geometry", report.geometry_bytes}, {"shadow", report.shadow_bytes}}},

@@ -21,6 +21,11 @@ struct RenderReport {
   std::size_t verified = 0;  ///< answers that the judge confirmed
 };
 
+/// Table 2's I_geom and I_shadow: primitives tested in the geometry set a ray, of whatever kind,
+/// and grown occluders a ray of the shadow set. 0 where there were no rays.
+double geometry_tests_per_ray(const RenderCounters& counters);
+double shadow_tests_per_ray(const RenderCounters& counters);
+
 /// The `--stats` file: JSON, keys as docs/formats.md lists them.
 std::string stats_json(const RenderReport& report, const Picture& picture);
 

@@ -3,6 +3,7 @@
 
 #include <CLI/App.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -71,14 +72,14 @@ int run(const Options& o) {
 
   const Machine machine = this_machine();
   reproduce::Journal journal(folder / "measurements.csv", machine, name_of(plan));
-  for (const reproduce::Measurement& m : journal.all())
-    if (m.program != program_checksum()) {
-      fmt::print(stderr,
-                 "{}: some rows were measured by another build of this version; remove the file to "
-                 "measure all anew\n",
-                 (folder / "measurements.csv").string());
-      break;
-    }
+  const auto is_of_another_build = [&](const reproduce::Measurement& m) {
+    return m.program != machine.program;
+  };
+  if (std::any_of(journal.all().begin(), journal.all().end(), is_of_another_build))
+    fmt::print(stderr,
+               "{}: some rows were measured by another build of this version; remove the file to "
+               "measure all anew\n",
+               (folder / "measurements.csv").string());
   const auto wish = o.always_progress ? ProgressWish::always : ProgressWish::on_terminal;
   {
     Progress progress("measuring", wish);
@@ -119,7 +120,7 @@ Command add_reproduce(CLI::App& program) {
       "needs\n"
       "nothing else; measurements.csv, every number with its machine, compiler and date; each "
       "table and\n"
-      "plot as CSV, plots as SVG and PNG, pictures as PNG; tables.md. The whole takes some 30 "
+      "plot as CSV, plots as SVG and PNG, pictures as PNG; tables.md. The whole takes some 20 "
       "minutes;\n"
       "an interrupted run goes on where it was. Times mean something on a quiet machine alone.\n"
       "Plots are drawn by gnuplot.\n\n"

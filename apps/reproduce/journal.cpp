@@ -25,7 +25,7 @@ std::vector<std::pair<std::string, std::string>> provenance(const Machine& m,
           {"compiler", m.compiler},
           {"flags", m.flags},
           {"cpu", m.cpu},
-          {"cores", m.cores},
+          {"cores", std::to_string(m.cores)},
           {"instruction_set", m.instruction_set},
           {"embree", m.embree}};
 }
@@ -100,7 +100,10 @@ void Journal::add(std::vector<Measurement> measured) {
     std::erase_if(measurements_, [&](const Measurement& old) {
       return old.setting == m.setting && old.row.method == m.row.method;
     });
-  for (Measurement& m : measured) measurements_.push_back(std::move(m));
+  for (Measurement& m : measured) {
+    m.program = machine_.program;
+    measurements_.push_back(std::move(m));
+  }
   std::string text = csv_line(header(machine_, run_));
   for (const Measurement& m : measurements_) {
     std::vector<std::string> values;

@@ -27,8 +27,8 @@ class Journal {
   /// Nullptr when it was not measured.
   const Measurement* find(const Setting& setting, const std::string& method) const;
 
-  /// Keeps them in place of what was there of their settings, and writes the file anew. Throws
-  /// Error.
+  /// Keeps them, as this program's, in place of what was there of their settings, and writes the
+  /// file anew. Throws Error.
   void add(std::vector<Measurement> measured);
 
  private:

@@ -55,19 +55,17 @@ std::vector<Measurement> measured(const BenchScene& bench, const Setting& settin
                                   std::uint32_t rounds, const Errors* errors, const Tell& tell) {
   std::vector<Measurement> all;
   const std::string today = fmt::format("{:%F}", fmt::gmtime(std::time(nullptr)));
-  const std::string program = program_checksum();
   const double rmse = errors ? errors->of(setting.shadow_samples) : -1;
   for (BenchRow& row : measure(bench, setting.scene, setting.shadow_samples, rounds, tell)) {
-    Measurement m{setting,
-                  std::move(row),
-                  primitive_count(bench.scene.shapes),
-                  bench.scene.lights.size(),
-                  bench.work.queries.size(),
-                  rmse,
-                  rounds,
-                  today,
-                  program};
-    all.push_back(std::move(m));
+    all.push_back({setting,
+                   std::move(row),
+                   primitive_count(bench.scene.shapes),
+                   bench.scene.lights.size(),
+                   bench.work.queries.size(),
+                   rmse,
+                   rounds,
+                   today,
+                   {}});
   }
   return all;
 }

@@ -7,6 +7,7 @@
 #include <functional>
 #include <span>
 
+#include "../render_report.h"
 #include "number_text.h"
 #include "paper.h"
 
@@ -54,17 +55,6 @@ std::span<const Variant> built_variants() { return std::span(todays_variants()).
 
 std::string text_of(const std::optional<std::uint64_t>& printed) {
   return printed ? grouped(*printed) : std::string();
-}
-
-double tests_a_ray(const RenderCounters& n) {
-  const std::uint64_t rays = n.primary + n.reflected + n.refracted + n.shadow.rays;
-  return rays == 0
-             ? 0
-             : static_cast<double>(n.closest_tests + n.shadow.tests) / static_cast<double>(rays);
-}
-
-double set_tests_a_ray(const ShadowCounters& n) {
-  return n.set_rays == 0 ? 0 : static_cast<double>(n.set_tests) / static_cast<double>(n.set_rays);
 }
 
 }  // namespace
@@ -161,11 +151,15 @@ Table tests_per_ray(const Results& results) {
       {}};
   const VariantCell geometry = [&](const Variant& variant, const Setting& s, const PaperScene&) {
     return Cell{
-        fmt::format("{:.2f}", tests_a_ray(results.of(s, variant.method).row.counters)), {}, {}};
+        fmt::format("{:.2f}", geometry_tests_per_ray(results.of(s, variant.method).row.counters)),
+        {},
+        {}};
   };
   const VariantCell shadow = [&](const Variant& variant, const Setting& s, const PaperScene&) {
-    const ShadowCounters& n = results.of(s, variant.method).row.counters.shadow;
-    return Cell{fmt::format("{:.2f}", set_tests_a_ray(n)), {}, {}};
+    return Cell{
+        fmt::format("{:.2f}", shadow_tests_per_ray(results.of(s, variant.method).row.counters)),
+        {},
+        {}};
   };
   add_rows(results, table, "I_geom, ", Whose::papers, paper_variants(), geometry);
   add_rows(results, table, "I_shadow, ", Whose::papers, std::span(paper_variants()).subspan(2),

@@ -98,8 +98,7 @@ std::vector<Gallery> draw_pictures(const Plan& plan, Scenes& scenes, const fs::p
     gallery.title = fmt::format("Figure {}: {}", figure_of(scene), title_of(plan, scene));
     gallery.text = fmt::format(
         "{0} × {0} pixels, d = {1}. Of all points and lights, reflections included, {2:.1f} % are "
-        "wholly "
-        "lit or wholly dark by the samples; proven: {3:.1f} % by umbra, {4:.1f} % by shaft.",
+        "wholly lit or wholly dark by the samples; proven: {3:.1f} % by umbra, {4:.1f} % by shaft.",
         plan.picture_size, plan.picture_samples, truth, umbra, shaft);
     galleries.push_back(std::move(gallery));
   }
