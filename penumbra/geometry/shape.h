@@ -9,6 +9,7 @@
 
 #include "penumbra/geometry/box.h"
 #include "penumbra/geometry/mesh.h"
+#include "penumbra/geometry/transform.h"
 #include "penumbra/geometry/vec.h"
 
 namespace penumbra {
@@ -42,12 +43,22 @@ struct Ring {
   std::uint32_t surface = 0;
 };
 
+/// A placement of one of a ShapeSet's groups.
+struct Instance {
+  std::uint32_t group = 0;
+  Transform placement;
+};
+
 /// Everything that can be hit, one vector a kind. Polygons are meshes (see `triangulate`).
+/// Groups are stored once and drawn where instances place them, not by themselves; they hold
+/// shapes alone.
 struct ShapeSet {
   std::vector<Sphere> spheres;
   std::vector<Cone> cones;
   std::vector<Ring> rings;
   std::vector<Mesh> meshes;
+  std::vector<ShapeSet> groups;
+  std::vector<Instance> instances;
 };
 
 enum class ShapeKind : std::uint8_t { sphere, cone, ring, triangle };

@@ -2,6 +2,8 @@
 // A light: a convex set from `geometry` and what it emits.
 #pragma once
 
+#include <optional>
+
 #include "penumbra/geometry/light_shape.h"
 #include "penumbra/scene/material.h"
 
@@ -13,10 +15,20 @@ namespace penumbra {
 /// Either way a light's power does not depend on its size, so that exposure stays.
 enum class Falloff { none, inverse_square };
 
+/// Where a light shines: a factor of its unshadowed light by the angle at its centre between
+/// `axis` and the way to p. 1 inside `cos_full`, 0 outside `cos_none`, smooth between (3x² - 2x³ of
+/// the cosine). Flat lights that shine from their front alone have their normal as the axis and
+/// both cosines 0. Shading only: visibility is asked for the whole light.
+struct Beam {
+  Vec3f axis{0, 0, 1};  ///< unit
+  float cos_full = -1, cos_none = -1;
+};
+
 struct Light {
   LightShape shape;
   Color intensity{1, 1, 1};
   Falloff falloff = Falloff::none;
+  std::optional<Beam> beam;  ///< none: it shines all around; not for suns
 };
 
 }  // namespace penumbra
