@@ -10,6 +10,7 @@
 
 #include "image_difference.h"
 #include "options.h"
+#include "penumbra/geometry/placed_shape.h"
 #include "penumbra/scene/error.h"
 #include "penumbra/trace/prepare.h"
 #include "penumbra/trace/verify.h"
@@ -46,13 +47,13 @@ auto timed(double& seconds, Make make) {
   }
 }
 
-/// The shapes that block light.
+/// The shapes that block light, each where it stands.
 ShapeSet casters_of(const Scene& scene) {
   const auto is_clear = [&](std::uint32_t surface) {
     return !scene.materials[surface].casts_shadow;
   };
   const auto is_clear_shape = [&](const auto& shape) { return is_clear(shape.surface); };
-  ShapeSet casters = scene.shapes;
+  ShapeSet casters = flattened(scene.shapes);
   std::erase_if(casters.spheres, is_clear_shape);
   std::erase_if(casters.cones, is_clear_shape);
   std::erase_if(casters.rings, is_clear_shape);

@@ -197,21 +197,30 @@ Json solids_json(const SolidFacts& solids) {
           {"largest", solids.largest}};
 }
 
+void add_shapes(SceneFacts& facts, const ShapeSet& shapes) {
+  const auto cylinders = static_cast<std::size_t>(
+      std::count_if(shapes.cones.begin(), shapes.cones.end(), is_cylinder));
+  facts.spheres += shapes.spheres.size();
+  facts.cylinders += cylinders;
+  facts.cones += shapes.cones.size() - cylinders;
+  facts.rings += shapes.rings.size();
+  for (const Mesh& mesh : shapes.meshes) {
+    facts.meshes.push_back(mesh_facts(mesh));
+    add(facts.all_meshes, facts.meshes.back());
+  }
+}
+
 }  // namespace
 
 SceneFacts scene_facts(const Scene& scene) {
   const ShapeSet& shapes = scene.shapes;
   SceneFacts facts;
-  facts.spheres = shapes.spheres.size();
-  facts.cylinders = static_cast<std::size_t>(
-      std::count_if(shapes.cones.begin(), shapes.cones.end(), is_cylinder));
-  facts.cones = shapes.cones.size() - facts.cylinders;
-  facts.rings = shapes.rings.size();
+  add_shapes(facts, shapes);
+  for (const ShapeSet& group : shapes.groups) add_shapes(facts, group);
   facts.primitives = primitive_count(shapes);
-  for (const Mesh& mesh : shapes.meshes) {
-    facts.meshes.push_back(mesh_facts(mesh));
-    add(facts.all_meshes, facts.meshes.back());
-  }
+  facts.groups = shapes.groups.size();
+  facts.instances = shapes.instances.size();
+  facts.placed = facts.primitives - own_primitive_count(shapes);
   facts.triangles = facts.all_meshes.triangles;
   facts.solids = solid_facts(scene);
   facts.bounds = bounds(shapes);
@@ -228,6 +237,9 @@ std::string to_text(const SceneFacts& facts, const Scene& scene) {
                  "{} meshes\n",
                  facts.primitives, facts.spheres, facts.cylinders, facts.cones, facts.rings,
                  facts.triangles, facts.meshes.size());
+  if (facts.instances > 0)
+    fmt::format_to(to, "instances     {} of {} groups: {} primitives\n", facts.instances,
+                   facts.groups, facts.placed);
   print_meshes(out, facts);
   fmt::format_to(to, "materials     {}, textures {}\n", scene.materials.size(),
                  scene.textures.size());
@@ -272,27 +284,30 @@ std::string to_json(const SceneFacts& facts, const Scene& scene) {
               {"up", json(scene.camera->up)},
               {"fov_deg", scene.camera->fov_deg},
               {"size", {scene.camera->width, scene.camera->height}}};
-  const Json all = {{"scene", scene.name},
-                    {"primitives",
-                     {{"spheres", facts.spheres},
-                      {"cylinders", facts.cylinders},
-                      {"cones", facts.cones},
-                      {"rings", facts.rings},
-                      {"triangles", facts.triangles},
-                      {"total", facts.primitives}}},
-                    {"all_meshes", mesh_json(facts.all_meshes)},
-                    {"meshes", meshes},
-                    {"solids", solids_json(facts.solids)},
-                    {"materials", scene.materials.size()},
-                    {"textures", scene.textures.size()},
-                    {"lights", lights},
-                    {"camera", camera},
-                    {"bounds", box_json(facts.bounds)},
-                    {"object_bounds", box_json(facts.object_bounds)},
-                    {"object_extent", facts.object_bounds.largest_extent()},
-                    {"memory_bytes", {{"geometry", facts.memory_bytes}}},
-                    {"peak_rss_bytes", facts.peak_rss_bytes},
-                    {"seconds", {{"load", facts.load_seconds}, {"build", facts.build_seconds}}}};
+  const Json all = {
+      {"scene", scene.name},
+      {"primitives",
+       {{"spheres", facts.spheres},
+        {"cylinders", facts.cylinders},
+        {"cones", facts.cones},
+        {"rings", facts.rings},
+        {"triangles", facts.triangles},
+        {"total", facts.primitives}}},
+      {"instances",
+       {{"groups", facts.groups}, {"placements", facts.instances}, {"primitives", facts.placed}}},
+      {"all_meshes", mesh_json(facts.all_meshes)},
+      {"meshes", meshes},
+      {"solids", solids_json(facts.solids)},
+      {"materials", scene.materials.size()},
+      {"textures", scene.textures.size()},
+      {"lights", lights},
+      {"camera", camera},
+      {"bounds", box_json(facts.bounds)},
+      {"object_bounds", box_json(facts.object_bounds)},
+      {"object_extent", facts.object_bounds.largest_extent()},
+      {"memory_bytes", {{"geometry", facts.memory_bytes}}},
+      {"peak_rss_bytes", facts.peak_rss_bytes},
+      {"seconds", {{"load", facts.load_seconds}, {"build", facts.build_seconds}}}};
   // A name from a file need not be UTF-8.
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

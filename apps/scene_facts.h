@@ -27,7 +27,10 @@ struct SolidFacts {
 };
 
 struct SceneFacts {
+  // The set's own, and those of groups once each; `primitives` counts the latter as often as they
+  // are placed.
   std::size_t spheres = 0, cylinders = 0, cones = 0, rings = 0, triangles = 0, primitives = 0;
+  std::size_t groups = 0, instances = 0, placed = 0;  ///< primitives that instances place
   std::vector<MeshFacts> meshes;
   MeshFacts all_meshes;  ///< sums
   SolidFacts solids;

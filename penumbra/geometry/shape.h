@@ -57,8 +57,8 @@ struct ShapeSet {
   std::vector<Cone> cones;
   std::vector<Ring> rings;
   std::vector<Mesh> meshes;
-  std::vector<ShapeSet> groups;
-  std::vector<Instance> instances;
+  std::vector<ShapeSet> groups{};
+  std::vector<Instance> instances{};
 };
 
 enum class ShapeKind : std::uint8_t { sphere, cone, ring, triangle };
@@ -68,15 +68,16 @@ struct ShapeRef {
   ShapeKind kind = ShapeKind::sphere;
   std::uint32_t index = 0;     ///< into the kind's vector; for a triangle, into meshes
   std::uint32_t triangle = 0;  ///< of that mesh; else 0
-  std::uint32_t instance = 0;  ///< which placement of the shape; 0 as long as there is one
+  std::uint32_t instance = 0;  ///< 0: one of the set's own; else 1 + the instance that places it
 
   constexpr bool operator==(const ShapeRef&) const = default;
 };
 
-/// Number of primitives: a mesh counts as its triangles.
+/// Number of primitives, a mesh counts as its triangles: without what instances place, and with it.
+std::size_t own_primitive_count(const ShapeSet& shapes);
 std::size_t primitive_count(const ShapeSet& shapes);
 
-/// All primitives in the order spheres, cones, rings, meshes.
+/// The set's own primitives, in the order spheres, cones, rings, meshes.
 std::vector<ShapeRef> all_primitives(const ShapeSet& shapes);
 
 // Boxes with float corners that surely hold the exact shape (rounded outward from double).
@@ -84,6 +85,7 @@ Box bounds(const Sphere& sphere);
 Box bounds(const Cone& cone);
 Box bounds(const Ring& ring);
 Box bounds(const ShapeSet& shapes, ShapeRef ref);
+/// What instances place included, exactly. Cost: linear in what is placed at the outside.
 Box bounds(const ShapeSet& shapes);
 
 /// Box of everything but backdrops: "the largest extent of the scene's objects" is its longest

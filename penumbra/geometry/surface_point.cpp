@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/geometry/surface_point.h"
 
+#include <array>
 #include <cmath>
+
+#include "penumbra/geometry/placed_shape.h"
 
 namespace penumbra {
 namespace {
@@ -53,11 +56,9 @@ SurfacePoint on_ring(const Ring& ring, Vec3d origin, Vec3d direction, double t) 
   return {.position = on_plane(origin, direction, t, Vec3d(ring.center), n), .normal = n};
 }
 
-SurfacePoint on_triangle(const Mesh& mesh, std::uint32_t triangle, Vec3d origin, Vec3d direction,
+SurfacePoint on_triangle(const std::array<Vec3f, 3>& corner, Vec3d origin, Vec3d direction,
                          double t) {
-  const Triangle& corner = mesh.triangles[triangle];
-  const Vec3d a(mesh.positions[corner[0]]), b(mesh.positions[corner[1]]),
-      c(mesh.positions[corner[2]]);
+  const Vec3d a(corner[0]), b(corner[1]), c(corner[2]);
   const Vec3d area = cross(b - a, c - a), n = normalize(area);
   const Vec3d p = on_plane(origin, direction, t, a, n);
   double weight[3] = {dot(cross(b - p, c - p), n), dot(cross(c - p, a - p), n),
@@ -73,13 +74,20 @@ SurfacePoint on_triangle(const Mesh& mesh, std::uint32_t triangle, Vec3d origin,
 
 SurfacePoint on_primitive(const ShapeSet& shapes, ShapeRef ref, Vec3d origin, Vec3d direction,
                           double t) {
+  const ShapeSet& home = home_of(shapes, ref);
+  const auto in_world = [&](const auto& shape) {
+    if (ref.instance == 0) return shape;
+    const Transform& map = shapes.instances[ref.instance - 1].placement;
+    return placed(shape, map, similarity_scale(map));
+  };
   switch (ref.kind) {
-    case ShapeKind::sphere: return on_sphere(shapes.spheres[ref.index], origin, direction, t);
-    case ShapeKind::cone: return on_cone(shapes.cones[ref.index], origin, direction, t);
-    case ShapeKind::ring: return on_ring(shapes.rings[ref.index], origin, direction, t);
+    case ShapeKind::sphere:
+      return on_sphere(in_world(home.spheres[ref.index]), origin, direction, t);
+    case ShapeKind::cone: return on_cone(in_world(home.cones[ref.index]), origin, direction, t);
+    case ShapeKind::ring: return on_ring(in_world(home.rings[ref.index]), origin, direction, t);
     case ShapeKind::triangle: break;
   }
-  return on_triangle(shapes.meshes[ref.index], ref.triangle, origin, direction, t);
+  return on_triangle(corners(shapes, ref), origin, direction, t);
 }
 
 }  // namespace

@@ -26,6 +26,10 @@ inline Vec3d apply_normal(const Transform& t, Vec3d n) {
 
 inline double determinant(const Transform& t) { return dot(t.x_axis, cross(t.y_axis, t.z_axis)); }
 
+/// A unit normal of a surface under the map, on the side that is outside after it; unit, and z
+/// where a flattening map leaves none.
+Vec3f placed_normal(const Transform& t, Vec3f n);
+
 /// First `inner`, then `outer`.
 inline Transform compose(const Transform& outer, const Transform& inner) {
   return {apply_direction(outer, inner.x_axis), apply_direction(outer, inner.y_axis),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The judge: every record against every ray, one at a time, on the compiler's baseline instruction
 // set.
+#include <algorithm>
+
 #include "penumbra/kernel/kernel.h"
 #include "penumbra/kernel/search-inl.h"
 #include "penumbra/kernel/traverse.h"
@@ -19,18 +21,36 @@ target::RayLanes<hn::CappedTag<float, 1>> lanes_of(Vec3f direction) {
                                 hn::Set(one, direction.z));
 }
 
+/// Until f(record, index) says that it is enough.
+template <class F>
+bool each_record(const RecordTable& records, F&& f) {
+  const auto each_of = [&](const RecordRun& run) {
+    const auto end = run.first + static_cast<std::uint32_t>(run.stored.size());
+    for (std::uint32_t i = run.first; i < end; ++i)
+      if (run.placement ? f(run[i], i) : f(run.stored[i], i)) return true;
+    return false;
+  };
+  if (each_of({records.own(), nullptr, 0})) return true;
+  const auto placements = records.placements();
+  return std::any_of(placements.begin(), placements.end(), [&](const Placement& placement) {
+    return each_of(records.run_of(placement.first));
+  });
+}
+
 }  // namespace
 
-NearestRecord nearest_brute(std::span<const Record> records, const Ray& ray) {
+NearestRecord nearest_brute(const RecordTable& records, const Ray& ray) {
   const auto lanes = lanes_of(ray.direction);
   target::Search search{{}, ray.t_min, ray.t_max};
-  for (const Record& record : records)
-    target::search_record(one, record, ray.origin, lanes, search);
+  each_record(records, [&](const Record& record, std::uint32_t index) {
+    target::search_record(one, record, index, ray.origin, lanes, search);
+    return false;
+  });
   search.nearest.tests = static_cast<std::uint32_t>(records.size());
   return search.nearest;
 }
 
-OccludedReport occluded_brute(std::span<const Record> records, const LightSamples& rays,
+OccludedReport occluded_brute(const RecordTable& records, const LightSamples& rays,
                               std::span<const std::uint32_t> active,
                               std::span<std::uint32_t> blocked) {
   OccludedReport report;
@@ -40,16 +60,16 @@ OccludedReport occluded_brute(std::span<const Record> records, const LightSample
     const std::uint32_t bit = 1u << i % 32;
     if (!(active[i / 32] & bit)) continue;
     const auto lanes = lanes_of({rays.x[i], rays.y[i], rays.z[i]});
-    for (const Record& record : records) {
-      if (!record.casts_shadow) continue;
+    const bool is_blocked = each_record(records, [&](const Record& record, std::uint32_t index) {
+      if (!record.casts_shadow) return false;
       ++report.tests;
       if (hn::AllFalse(one, target::meets(one, record, rays.origin, lanes, hn::Set(one, rays.t_max),
                                           always)))
-        continue;
-      blocked[i / 32] |= bit;
-      report.blocker = static_cast<std::uint32_t>(&record - records.data());
-      break;
-    }
+        return false;
+      report.blocker = index;
+      return true;
+    });
+    if (is_blocked) blocked[i / 32] |= bit;
   }
   return report;
 }

@@ -132,16 +132,96 @@ BoxTree build_box_tree(std::span<const Box> boxes, std::uint32_t tested_together
   return tree;
 }
 
-WideTree build_wide_tree(const std::vector<Record>& records) {
-  std::vector<Box> boxes;
-  boxes.reserve(records.size());
-  for (const Record& record : records) boxes.push_back(bounds(record));
+namespace {
+
+bool is_mesh(const std::vector<Record>& records) {
   const auto triangles = std::count_if(records.begin(), records.end(), [](const Record& record) {
     return record.kind == ShapeKind::triangle;
   });
-  const bool is_mesh = 2 * static_cast<std::size_t>(triangles) > records.size();
-  BoxTree boxed = build_box_tree(boxes, is_mesh ? 4 : 1);
-  WideTree tree{std::move(boxed.nodes), {}};
+  return 2 * static_cast<std::size_t>(triangles) > records.size();
+}
+
+/// Turns leaves that hold placements into nodes with a child for each of these, and one for the
+/// records. Boxes and placements follow the records in the order of `boxes`.
+class PlacementHanger {
+ public:
+  PlacementHanger(BoxTree& tree, std::span<const Box> boxes, std::size_t records)
+      : tree_(tree), boxes_(boxes), records_(records) {}
+
+  void hang() {
+    std::vector<std::uint32_t> order;
+    for (std::size_t n = 0, count = tree_.nodes.size(); n < count; ++n)
+      for (int child = 0; child < WideNode::width; ++child)
+        if (tree_.nodes[n].used >> child & 1 && tree_.nodes[n].child[child].is_leaf()) {
+          const NodeRef moved = without_placements(tree_.nodes[n].child[child], order);
+          tree_.nodes[n].child[child] = moved;
+        }
+    tree_.order = std::move(order);
+  }
+
+ private:
+  NodeRef without_placements(NodeRef leaf, std::vector<std::uint32_t>& order) {
+    const std::span all = std::span(tree_.order).subspan(leaf.first(), leaf.count());
+    // The leaf's order is by index: records first.
+    const auto records =
+        static_cast<std::size_t>(std::lower_bound(all.begin(), all.end(), records_) - all.begin());
+    const auto first = static_cast<std::uint32_t>(order.size());
+    order.insert(order.end(), all.begin(), all.begin() + static_cast<std::ptrdiff_t>(records));
+    const auto run = [&] { return NodeRef::leaf(first, static_cast<std::uint32_t>(records)); };
+    if (records == all.size()) return run();
+    const auto placement = [&](std::uint32_t i) {
+      return NodeRef::placement(i - static_cast<std::uint32_t>(records_));
+    };
+    if (all.size() == 1) return placement(all[0]);
+    WideNode node;
+    unsigned child = 0;
+    const auto add = [&](NodeRef ref, const Box& b) {
+      node.child[child] = ref;
+      Flattener::set_box(node, child++, {b.lo.x, b.lo.y, b.lo.z, 0, b.hi.x, b.hi.y, b.hi.z, 0});
+    };
+    if (records > 0) {
+      Box box;
+      for (const std::uint32_t i : all.first(records)) box.add(boxes_[i]);
+      add(run(), box);
+    }
+    for (const std::uint32_t i : all.subspan(records)) add(placement(i), boxes_[i]);
+    tree_.nodes.push_back(node);
+    return NodeRef::inner(static_cast<std::uint32_t>(tree_.nodes.size() - 1));
+  }
+
+  BoxTree& tree_;
+  std::span<const Box> boxes_;
+  std::size_t records_;
+};
+
+}  // namespace
+
+Box bounds(const WideNode& node) {
+  Box box;
+  for (int i = 0; i < WideNode::width; ++i)
+    if (node.used >> i & 1)
+      box.add({{node.lo[0][i], node.lo[1][i], node.lo[2][i]},
+               {node.hi[0][i], node.hi[1][i], node.hi[2][i]}});
+  return box;
+}
+
+std::size_t WideTree::memory_bytes() const {
+  std::size_t sum = nodes.capacity() * sizeof(WideNode) + records.capacity() * sizeof(Record) +
+                    placements.capacity() * sizeof(Placement);
+  for (const WideTree& group : groups) sum += sizeof group + group.memory_bytes();
+  return sum;
+}
+
+WideTree build_wide_tree(const std::vector<Record>& records, std::vector<WideTree> groups,
+                         std::vector<Placement> placements) {
+  std::vector<Box> boxes;
+  boxes.reserve(records.size() + placements.size());
+  for (const Record& record : records) boxes.push_back(bounds(record));
+  for (const Placement& placement : placements)
+    boxes.push_back(bounds(placed(groups[placement.group].nodes.front(), placement)));
+  BoxTree boxed = build_box_tree(boxes, is_mesh(records) ? 4 : 1);
+  if (!placements.empty()) PlacementHanger(boxed, boxes, records.size()).hang();
+  WideTree tree{std::move(boxed.nodes), {}, std::move(groups), std::move(placements)};
   tree.records.reserve(records.size());
   for (const std::uint32_t i : boxed.order) tree.records.push_back(records[i]);
   return tree;

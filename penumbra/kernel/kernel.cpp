@@ -8,11 +8,14 @@ namespace penumbra {
 
 struct Kernel::Data {
   KernelKind kind;
-  WideTree tree;  // brute: records alone
-  std::vector<std::uint32_t>
-      begin;  // id of the first primitive of: spheres, cones, rings, then each mesh
+  WideTree tree;  // brute: records and placements alone
+  // Ids of the first primitives of: spheres, cones, rings, then each mesh. Of the set's own shapes,
+  // and of each group.
+  std::vector<std::uint32_t> begin;
+  std::vector<std::vector<std::uint32_t>> begin_in_group;
   Box box;
   NearestRecord nearest_to(const Ray& ray) const;
+  ShapeRef shape_of(std::uint32_t id) const;
 };
 
 namespace {
@@ -43,11 +46,24 @@ std::vector<std::uint32_t> first_ids(const ShapeSet& shapes) {
 }
 
 /// Undoes `all_primitives`: the reference of one id.
-ShapeRef shape_of(const std::vector<std::uint32_t>& begin, std::uint32_t id) {
+ShapeRef find_shape(const std::vector<std::uint32_t>& begin, std::uint32_t id) {
   const auto range = std::upper_bound(begin.begin(), begin.end(), id) - begin.begin() - 1;
   const std::uint32_t offset = id - begin[range];
   if (range >= 3) return {ShapeKind::triangle, static_cast<std::uint32_t>(range - 3), offset, 0};
   return {static_cast<ShapeKind>(range), offset, 0, 0};
+}
+
+std::vector<Placement> placements_of(const ShapeSet& shapes, std::uint32_t first,
+                                     const std::vector<WideTree>& groups) {
+  std::vector<Placement> placements;
+  placements.reserve(shapes.instances.size());
+  for (const Instance& instance : shapes.instances) {
+    const WideTree& group = groups[instance.group];
+    placements.push_back(
+        make_placement(instance.placement, bounds(group.nodes.front()), instance.group, first));
+    first += static_cast<std::uint32_t>(group.records.size());
+  }
+  return placements;
 }
 
 }  // namespace
@@ -57,10 +73,21 @@ Kernel::Kernel(const ShapeSet& shapes, const KernelOptions& options) {
   data->kind = options.kind;
   data->begin = first_ids(shapes);
   data->box = penumbra::bounds(shapes);
+  std::vector<WideTree> groups;
+  for (const ShapeSet& group : shapes.groups) {
+    data->begin_in_group.push_back(first_ids(group));
+    groups.push_back(build_wide_tree(all_records(group, options.casts_no_shadow)));
+  }
   std::vector<Record> records = all_records(shapes, options.casts_no_shadow);
+  std::vector<Placement> placements =
+      placements_of(shapes, static_cast<std::uint32_t>(records.size()), groups);
   switch (options.kind) {
-    case KernelKind::wide: data->tree = build_wide_tree(records); break;
-    case KernelKind::brute: data->tree.records = std::move(records); break;
+    case KernelKind::wide:
+      data->tree = build_wide_tree(records, std::move(groups), std::move(placements));
+      break;
+    case KernelKind::brute:
+      data->tree = {{}, std::move(records), std::move(groups), std::move(placements)};
+      break;
   }
   data_ = std::move(data);
 }
@@ -70,26 +97,31 @@ Kernel::Kernel(Kernel&&) noexcept = default;
 Kernel& Kernel::operator=(Kernel&&) noexcept = default;
 
 NearestRecord Kernel::Data::nearest_to(const Ray& ray) const {
-  return kind == KernelKind::wide ? nearest(tree, ray) : nearest_brute(tree.records, ray);
+  return kind == KernelKind::wide ? nearest(tree, ray) : nearest_brute(tree, ray);
 }
 
-std::uint32_t Kernel::closest_record(const Ray& ray) const {
-  const NearestRecord found = data_->nearest_to(ray);
-  return found.record ? static_cast<std::uint32_t>(found.record - records().data()) : no_record;
+ShapeRef Kernel::Data::shape_of(std::uint32_t id) const {
+  const RecordTable records(tree);
+  if (id < records.own().size()) return find_shape(begin, id);
+  const Placement* placement = records.run_of(id).placement;  // ids count as indices do
+  ShapeRef ref = find_shape(begin_in_group[placement->group], id - placement->first);
+  ref.instance = 1 + static_cast<std::uint32_t>(placement - tree.placements.data());
+  return ref;
 }
+
+std::uint32_t Kernel::closest_record(const Ray& ray) const { return data_->nearest_to(ray).record; }
 
 Kernel::ClosestResult Kernel::closest(const Ray& ray) const {
   const NearestRecord found = data_->nearest_to(ray);
   ClosestResult result{{}, found.tests};
-  if (found.record) result.hit = Hit{found.t, shape_of(data_->begin, found.record->id)};
+  if (found.record != no_record) result.hit = Hit{found.t, data_->shape_of(found.id)};
   return result;
 }
 
 OccludedReport Kernel::occluded(const LightSamples& rays, std::span<const std::uint32_t> active,
                                 std::span<std::uint32_t> blocked) const {
-  return data_->kind == KernelKind::wide
-             ? penumbra::occluded(data_->tree, rays, active, blocked)
-             : occluded_brute(data_->tree.records, rays, active, blocked);
+  return data_->kind == KernelKind::wide ? penumbra::occluded(data_->tree, rays, active, blocked)
+                                         : occluded_brute(data_->tree, rays, active, blocked);
 }
 
 SingleReport Kernel::occluded_singly(const LightSamples& rays,
@@ -98,15 +130,15 @@ SingleReport Kernel::occluded_singly(const LightSamples& rays,
   if (data_->kind == KernelKind::wide)
     return penumbra::occluded_singly(data_->tree, rays, active, recent, blocked);
   SingleReport report;
-  report.tests = occluded_brute(data_->tree.records, rays, active, blocked).tests;
+  report.tests = occluded_brute(data_->tree, rays, active, blocked).tests;
   for (const std::uint32_t word : active)
     report.traced += static_cast<std::uint64_t>(std::popcount(word));
   return report;
 }
 
-std::span<const Record> Kernel::records() const { return data_->tree.records; }
+const WideTree& Kernel::tree() const { return data_->tree; }
 
-std::span<const WideNode> Kernel::nodes() const { return data_->tree.nodes; }
+RecordTable Kernel::records() const { return data_->tree; }
 
 std::size_t Kernel::memory_bytes() const { return data_->tree.memory_bytes(); }
 

@@ -13,7 +13,7 @@
 
 #include "penumbra/geometry/light_sampling.h"
 #include "penumbra/geometry/shape.h"
-#include "penumbra/kernel/record.h"
+#include "penumbra/kernel/record_table.h"
 #include "penumbra/kernel/traverse.h"
 
 namespace penumbra {
@@ -41,15 +41,15 @@ struct KernelOptions {
 
 class Kernel {
  public:
-  /// Shapes are copied in the form that is traversed. They must be valid (see `validate`): finite,
-  /// in range. Cost: O(n log n) over all cores. Deterministic.
+  /// Shapes are copied in the form that is traversed, groups once. They must be valid (see
+  /// `validate`): finite, in range. Cost: O(n log n) over all cores. Deterministic.
   Kernel(const ShapeSet& shapes, const KernelOptions& options);
   ~Kernel();
   Kernel(Kernel&&) noexcept;
   Kernel& operator=(Kernel&&) noexcept;
 
-  /// The nearest hit; nothing when there is none. Ties: the smaller ShapeRef in the order of
-  /// `all_primitives`.
+  /// The nearest hit; nothing when there is none. Ties: the set's own before what instances place,
+  /// instances in their order, then the smaller ShapeRef in the order of `all_primitives`.
   struct ClosestResult {
     std::optional<Hit> hit;
     std::uint32_t tests = 0;
@@ -71,11 +71,12 @@ class Kernel {
   SingleReport occluded_singly(const LightSamples& rays, std::span<const std::uint32_t> active,
                                RecentRecords& recent, std::span<std::uint32_t> blocked) const;
 
-  /// The shapes in the form that is traversed, in an order of the kernel's own.
-  std::span<const Record> records() const;
+  /// The shapes in the form that is traversed, in an order of the kernel's own: those of the set,
+  /// then those of each instance.
+  RecordTable records() const;
 
-  /// The hierarchy over them, for `walk`; empty for brute force.
-  std::span<const WideNode> nodes() const;
+  /// The hierarchy over them, for `walk`; brute force has no nodes.
+  const WideTree& tree() const;
 
   std::size_t memory_bytes() const;
   Box bounds() const;

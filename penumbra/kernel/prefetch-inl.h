@@ -15,7 +15,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "penumbra/kernel/wide_tree.h"
 
@@ -23,11 +22,11 @@ HWY_BEFORE_NAMESPACE();
 namespace penumbra::HWY_NAMESPACE {
 
 /// The records of a leaf, or a node.
-HWY_INLINE void prefetch(std::span<const WideNode> nodes, std::span<const Record> records,
-                         NodeRef ref) {
+HWY_INLINE void prefetch(const WideTree& tree, NodeRef ref) {
+  if (ref.is_placement()) return;
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(
-      ref.is_leaf() ? static_cast<const void*>(&records[ref.first()])
-                    : static_cast<const void*>(&nodes[ref.node()]));
+      ref.is_leaf() ? static_cast<const void*>(&tree.records[ref.first()])
+                    : static_cast<const void*>(&tree.nodes[ref.node()]));
   const std::size_t size = ref.is_leaf() ? ref.count() * sizeof(Record) : sizeof(WideNode);
   for (std::size_t i = 0; i < size; i += 64) hwy::Prefetch(bytes + i);
 }

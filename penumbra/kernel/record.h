@@ -17,7 +17,7 @@ namespace penumbra {
 ///   - triangle: corners 9
 struct Record {
   std::array<float, 10> number{};
-  std::uint32_t id = 0;  ///< position in `all_primitives`
+  std::uint32_t id = 0;  ///< position in `all_primitives`; those of instances go on behind it
   ShapeKind kind = ShapeKind::sphere;
   bool is_capped = false;
   bool casts_shadow = true;

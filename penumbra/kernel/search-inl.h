@@ -24,16 +24,17 @@ struct Search {
   float t_min, t_max;
 };
 
+/// The record has this index.
 template <class D>
-HWY_INLINE void search_record(D d, const Record& record, Vec3f origin, const RayLanes<D>& ray,
-                              Search& search) {
+HWY_INLINE void search_record(D d, const Record& record, std::uint32_t index, Vec3f origin,
+                              const RayLanes<D>& ray, Search& search) {
   intersect(d, record, origin, ray, [&](auto t, auto hit) {
     const float at = hn::GetLane(t);
     NearestRecord& best = search.nearest;
     if (!hn::AllTrue(d, hit) || !(at > search.t_min && at < search.t_max)) return;
-    if (best.record && !(at < best.t || (at == best.t && record.id < best.record->id))) return;
+    if (best.record != no_record && !(at < best.t || (at == best.t && record.id < best.id))) return;
     if (hn::AllFalse(d, confirm(d, record, origin, ray, t, hit))) return;
-    best.t = at, best.record = &record;
+    best.t = at, best.record = index, best.id = record.id;
   });
 }
 

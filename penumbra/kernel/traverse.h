@@ -8,20 +8,21 @@
 #include <span>
 
 #include "penumbra/geometry/light_sampling.h"
+#include "penumbra/kernel/record_table.h"
 #include "penumbra/kernel/wide_tree.h"
 
 namespace penumbra {
 
 struct Ray;
 
-/// The nearest record that a ray meets; null if none.
+inline constexpr std::uint32_t no_record = 0xffffffffu;
+
+/// The nearest record that a ray meets, as an index (`no_record` if none), and its id.
 struct NearestRecord {
   float t = 0;
-  const Record* record = nullptr;
+  std::uint32_t record = no_record, id = 0;
   std::uint32_t tests = 0;
 };
-
-inline constexpr std::uint32_t no_record = 0xffffffffu;
 
 /// What an any-hit query did: (ray, record) tests, and the last record that was found to block
 /// (`no_record` if none).
@@ -61,7 +62,7 @@ SingleReport occluded_singly(const WideTree& tree, const LightSamples& rays,
                              std::span<std::uint32_t> blocked);
 
 /// Any hit against the records of a list alone, in its order.
-OccludedReport occluded_among(std::span<const Record> records, std::span<const std::uint32_t> list,
+OccludedReport occluded_among(const RecordTable& records, std::span<const std::uint32_t> list,
                               const LightSamples& rays, std::span<const std::uint32_t> active,
                               std::span<std::uint32_t> blocked);
 
@@ -72,15 +73,35 @@ OccludedReport occluded_among(std::span<const Record> records, std::span<const s
 using VisitLeaf = bool (*)(void* context, std::uint32_t first, std::uint32_t count);
 bool walk(std::span<const WideNode> nodes, const Ray& ray, VisitLeaf leaf, void* context);
 
-/// A callable bool(first, count) as VisitLeaf; the context is its address.
-template <class Leaf>
-bool call_leaf(void* context, std::uint32_t first, std::uint32_t count) {
-  return (*static_cast<Leaf*>(context))(first, count);
-}
-
 template <class Leaf>
 bool walk(std::span<const WideNode> nodes, const Ray& ray, Leaf leaf) {
-  return walk(nodes, ray, call_leaf<Leaf>, &leaf);
+  const auto call = [](void* context, std::uint32_t first, std::uint32_t count) {
+    return (*static_cast<Leaf*>(context))(first, count);
+  };
+  return walk(nodes, ray, call, &leaf);
+}
+
+/// Records of a leaf as they are in the world, and the index of the first.
+using VisitRecords = bool (*)(void* context, std::span<const Record> records, std::uint32_t first);
+
+/// A callable bool(records, first) as VisitRecords; the context is its address.
+template <class Visit>
+bool call_records(void* context, std::span<const Record> records, std::uint32_t first) {
+  return (*static_cast<Visit*>(context))(records, first);
+}
+
+/// The same for the records of a placement whose boxes, grown, the ray may pass: each by `below`
+/// downwards and by `above` upwards (none negative).
+struct Growth {
+  Vec3f below, above;
+};
+bool walk(const WideTree& tree, const Placement& placement, const Growth& growth, const Ray& ray,
+          VisitRecords visit, void* context);
+
+template <class Visit>
+bool walk(const WideTree& tree, const Placement& placement, const Growth& growth, const Ray& ray,
+          Visit visit) {
+  return walk(tree, placement, growth, ray, call_records<Visit>, &visit);
 }
 
 /// The hull of a box of receiver points and a convex set of targets, as boxes see it: at t in [0,
@@ -95,20 +116,18 @@ struct ShaftBounds {
   float floor = -std::numeric_limits<float>::infinity();
 };
 
-/// The leaves that a shaft may pass, in no order: every record that blocks a ray of the shaft is in
-/// one of them. `records`, those of the leaves.
-bool walk(std::span<const WideNode> nodes, std::span<const Record> records,
-          const ShaftBounds& shaft, VisitLeaf leaf, void* context);
+/// The leaves that a shaft may pass, those of placements included, in no order: every record that
+/// blocks a ray of the shaft is in one of them.
+bool walk(const WideTree& tree, const ShaftBounds& shaft, VisitRecords visit, void* context);
 
-template <class Leaf>
-bool walk(std::span<const WideNode> nodes, std::span<const Record> records,
-          const ShaftBounds& shaft, Leaf leaf) {
-  return walk(nodes, records, shaft, call_leaf<Leaf>, &leaf);
+template <class Visit>
+bool walk(const WideTree& tree, const ShaftBounds& shaft, Visit visit) {
+  return walk(tree, shaft, call_records<Visit>, &visit);
 }
 
 // One ray and one record at a time, on the compiler's baseline instruction set: the judge.
-NearestRecord nearest_brute(std::span<const Record> records, const Ray& ray);
-OccludedReport occluded_brute(std::span<const Record> records, const LightSamples& rays,
+NearestRecord nearest_brute(const RecordTable& records, const Ray& ray);
+OccludedReport occluded_brute(const RecordTable& records, const LightSamples& rays,
                               std::span<const std::uint32_t> active,
                               std::span<std::uint32_t> blocked);
 

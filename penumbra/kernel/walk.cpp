@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "penumbra/kernel/kernel.h"
+#include "penumbra/kernel/space.h"
 #include "penumbra/kernel/traverse.h"
 
 // Highway compiles the rest once for each instruction set.
@@ -19,40 +20,64 @@
 HWY_BEFORE_NAMESPACE();
 namespace penumbra::HWY_NAMESPACE {
 
-/// Calls the leaves, until one ends the walk. `push(node, top)` puts those children of a node that
-/// are to be visited on the stack, the first on top, and returns the new top.
-template <class Push>
-HWY_INLINE bool walk_by(std::span<const WideNode> nodes, VisitLeaf leaf, void* context,
-                        Push&& push) {
-  if (nodes.empty()) return false;
+/// Goes down from the root until `leaf(ref)` says that it is enough. `push(node, top)` puts those
+/// children of a node that are to be visited on the stack, the first on top, and returns the new
+/// top; `node(ref)` is the node. Leaves are runs and placements.
+template <class Node, class Push, class Leaf>
+HWY_INLINE bool descend(Node&& node, Push&& push, Leaf&& leaf) {
   NodeRef stack[stack_size];
   NodeRef* top = stack;
   *top++ = NodeRef::inner(0);
   while (top > stack) {
     const NodeRef ref = *--top;
-    if (!ref.is_leaf())
-      top = push(nodes[ref.node()], top);
-    else if (leaf(context, ref.first(), ref.count()))
+    if (!ref.is_leaf() && !ref.is_placement())
+      top = push(node(ref), top);
+    else if (leaf(ref))
       return true;
   }
   return false;
 }
 
-/// The nearest child first: what blocks one ray is often near what blocked the last.
+/// Pushes the children that a ray meets; the nearest comes first: what blocks one ray is often near
+/// what blocked the last.
+HWY_INLINE NodeRef* push_met(const Shaft& shaft, const WideNode& node, NodeRef* top) {
+  alignas(32) float near[WideNode::width];
+  NodeRef* nearest = top;
+  float least = std::numeric_limits<float>::infinity();
+  for (std::uint32_t met = overlap(shaft, node, near).met; met != 0; met &= met - 1) {
+    const int child = __builtin_ctz(met);
+    if (near[child] < least) least = near[child], nearest = top;
+    *top++ = node.child[child];
+  }
+  if (top > nearest) std::swap(*nearest, top[-1]);
+  return top;
+}
+
 bool Walk(std::span<const WideNode> nodes, const Ray& ray, VisitLeaf leaf, void* context) {
+  if (nodes.empty()) return false;
   const Shaft shaft = make_shaft(ray.origin, ray.direction, ray.t_max);
-  return walk_by(nodes, leaf, context, [&](const WideNode& node, NodeRef* top) {
-    alignas(32) float near[WideNode::width];
-    NodeRef* nearest = top;
-    float least = std::numeric_limits<float>::infinity();
-    for (std::uint32_t met = overlap(shaft, node, near).met; met != 0; met &= met - 1) {
-      const int child = __builtin_ctz(met);
-      if (near[child] < least) least = near[child], nearest = top;
-      *top++ = node.child[child];
-    }
-    if (top > nearest) std::swap(*nearest, top[-1]);
-    return top;
-  });
+  return descend([&](NodeRef ref) -> const WideNode& { return nodes[ref.node()]; },
+                 [&](const WideNode& node, NodeRef* top) { return push_met(shaft, node, top); },
+                 [&](NodeRef ref) { return leaf(context, ref.first(), ref.count()); });
+}
+
+bool WalkPlaced(const WideTree& whole, const Placement& placement, const Growth& growth,
+                const Ray& ray, VisitRecords visit, void* context) {
+  const PlacedTree tree(whole, placement);
+  const Shaft shaft = make_shaft(ray.origin, ray.direction, ray.t_max);
+  PlacedTree::Room room;
+  const auto grown = [&](NodeRef ref) -> const WideNode& {
+    tree.node(ref, room);
+    for (int axis = 0; axis < 3; ++axis)
+      for (int i = 0; i < WideNode::width; ++i) {
+        room.node.lo[axis][i] -= growth.below[axis];
+        room.node.hi[axis][i] += growth.above[axis];
+      }
+    return room.node;
+  };
+  return descend(
+      grown, [&](const WideNode& node, NodeRef* top) { return push_met(shaft, node, top); },
+      [&](NodeRef ref) { return visit(context, tree.records(ref, room), tree.first(ref)); });
 }
 
 /// Children that reach into the half-space.
@@ -73,19 +98,39 @@ HWY_INLINE std::uint32_t above_floor(const ShaftBounds& bounds, const WideNode& 
   return met;
 }
 
-bool WalkShaft(std::span<const WideNode> nodes, std::span<const Record> records,
-               const ShaftBounds& bounds, VisitLeaf leaf, void* context) {
-  Shaft shaft = make_shaft(bounds.receivers, bounds.least, bounds.most, 1);
-  shaft.pad = 4 * box_pad;
-  return walk_by(nodes, leaf, context, [&](const WideNode& node, NodeRef* top) {
+/// A shaft, and who wants the records that it meets.
+struct ShaftWalk {
+  Shaft shaft;
+  const ShaftBounds& bounds;
+  VisitRecords visit;
+  void* context;
+};
+
+template <class Tree>
+bool walk_tree(const Tree& tree, const ShaftWalk& walk) {
+  typename Tree::Room room;
+  const auto push = [&](const WideNode& node, NodeRef* top) {
     alignas(32) float near[WideNode::width];
-    std::uint32_t met = overlap(shaft, node, near).met & above_floor(bounds, node);
+    std::uint32_t met = overlap(walk.shaft, node, near).met & above_floor(walk.bounds, node);
     for (; met != 0; met &= met - 1) {
       *top = node.child[__builtin_ctz(met)];
-      prefetch(nodes, records, *top++);
+      prefetch(tree.tree, *top++);
     }
     return top;
-  });
+  };
+  return descend([&](NodeRef ref) -> const WideNode& { return tree.node(ref, room); }, push,
+                 [&](NodeRef ref) {
+                   if constexpr (Tree::has_placements)
+                     if (ref.is_placement()) return walk_tree(PlacedTree(tree.tree, ref), walk);
+                   return walk.visit(walk.context, tree.records(ref, room), tree.first(ref));
+                 });
+}
+
+bool WalkShaft(const WideTree& tree, const ShaftBounds& bounds, VisitRecords visit, void* context) {
+  if (tree.nodes.empty()) return false;
+  Shaft shaft = make_shaft(bounds.receivers, bounds.least, bounds.most, 1);
+  shaft.pad = 4 * box_pad;
+  return walk_tree(WholeTree{tree}, ShaftWalk{shaft, bounds, visit, context});
 }
 
 }  // namespace penumbra::HWY_NAMESPACE
@@ -100,11 +145,17 @@ bool walk(std::span<const WideNode> nodes, const Ray& ray, VisitLeaf leaf, void*
   return HWY_DYNAMIC_DISPATCH(Walk)(nodes, ray, leaf, context);
 }
 
+HWY_EXPORT(WalkPlaced);
+
+bool walk(const WideTree& tree, const Placement& placement, const Growth& growth, const Ray& ray,
+          VisitRecords visit, void* context) {
+  return HWY_DYNAMIC_DISPATCH(WalkPlaced)(tree, placement, growth, ray, visit, context);
+}
+
 HWY_EXPORT(WalkShaft);
 
-bool walk(std::span<const WideNode> nodes, std::span<const Record> records,
-          const ShaftBounds& shaft, VisitLeaf leaf, void* context) {
-  return HWY_DYNAMIC_DISPATCH(WalkShaft)(nodes, records, shaft, leaf, context);
+bool walk(const WideTree& tree, const ShaftBounds& shaft, VisitRecords visit, void* context) {
+  return HWY_DYNAMIC_DISPATCH(WalkShaft)(tree, shaft, visit, context);
 }
 
 }  // namespace penumbra

@@ -8,23 +8,27 @@
 #include <vector>
 
 #include "penumbra/geometry/shape.h"
+#include "penumbra/kernel/placement.h"
 #include "penumbra/kernel/record.h"
 
 namespace penumbra {
 
-/// Either an inner node's index, or a run of records.
+/// An inner node's index, a run of records, or a placement of another tree.
 class NodeRef {
  public:
   static constexpr std::uint32_t most_records = 16;
 
   NodeRef() = default;
   static NodeRef inner(std::uint32_t node) { return NodeRef(node); }
+  static NodeRef placement(std::uint32_t index) { return NodeRef(0x40000000u | index); }
   /// first < 2^27, 1 <= count <= most_records
   static NodeRef leaf(std::uint32_t first, std::uint32_t count) {
     return NodeRef(0x80000000u | (count - 1) << 27 | first);
   }
   bool is_leaf() const { return bits_ >> 31; }
+  bool is_placement() const { return bits_ >> 30 == 1; }
   std::uint32_t node() const { return bits_; }
+  std::uint32_t placed() const { return bits_ & 0x3fffffffu; }
   std::uint32_t first() const { return bits_ & 0x7ffffffu; }
   std::uint32_t count() const { return (bits_ >> 27 & 15) + 1; }
 
@@ -42,9 +46,10 @@ struct alignas(64) WideNode {
   std::uint32_t used = 0;  ///< bit mask of the children
 };
 
-/// No tree is deeper; what a traversal's stack can hold follows from it.
+/// The builder's limit. Leaves with placements become nodes: one level more. What a traversal's
+/// stack can hold follows from it.
 inline constexpr int most_levels = 64;
-inline constexpr int stack_size = most_levels * WideNode::width;
+inline constexpr int stack_size = (most_levels + 1) * WideNode::width;
 
 /// A hierarchy over boxes: (1) every box lies in exactly one leaf; (2) every node's box holds the
 /// boxes below it exactly; (3) the same boxes give the same tree, whatever the number of threads.
@@ -58,15 +63,27 @@ struct BoxTree {
 /// `tested_together` boxes of a leaf cost as much as one. Cost: O(n log n) over all cores.
 BoxTree build_box_tree(std::span<const Box> boxes, std::uint32_t tested_together = 1);
 
-/// A hierarchy over records (`bounds(Record)`), which lie in leaf order.
+/// A hierarchy over records (`bounds(Record)`), which lie in leaf order, and over placements of the
+/// groups, which have trees of their own and no placements.
 struct WideTree {
   std::vector<WideNode> nodes;
   std::vector<Record> records;
-  std::size_t memory_bytes() const {
-    return nodes.capacity() * sizeof(WideNode) + records.capacity() * sizeof(Record);
-  }
+  std::vector<WideTree> groups;
+  std::vector<Placement> placements;  ///< by rising `first`
+  std::size_t memory_bytes() const;
 };
 
-WideTree build_wide_tree(const std::vector<Record>& records);
+/// `groups` (which hold something) and `placements` as in WideTree. At most 2^27 records and
+/// placements.
+WideTree build_wide_tree(const std::vector<Record>& records, std::vector<WideTree> groups = {},
+                         std::vector<Placement> placements = {});
+
+/// Box of all children.
+Box bounds(const WideNode& node);
+
+/// Box that holds what the placement, one of the tree's, places.
+inline Box bounds(const WideTree& tree, const Placement& placement) {
+  return bounds(placed(tree.groups[placement.group].nodes.front(), placement));
+}
 
 }  // namespace penumbra

@@ -25,7 +25,9 @@ bool is_backdrop(const Mesh& mesh) { return mesh.is_backdrop; }
 
 bool has_objects(const ShapeSet& shapes) {
   return !shapes.spheres.empty() || !shapes.cones.empty() || !shapes.rings.empty() ||
-         !std::all_of(shapes.meshes.begin(), shapes.meshes.end(), is_backdrop);
+         !std::all_of(shapes.meshes.begin(), shapes.meshes.end(), is_backdrop) ||
+         std::any_of(shapes.instances.begin(), shapes.instances.end(),
+                     [&](const Instance& i) { return has_objects(shapes.groups[i.group]); });
 }
 
 }  // namespace
@@ -39,7 +41,10 @@ Subject subject_of(const ShapeSet& shapes) {
   return subject;
 }
 
-double reach(const ShapeSet& shapes, Vec3d direction) {
+namespace {
+
+/// Of the set's own shapes, with backdrops or without.
+double reach_of_own(const ShapeSet& shapes, Vec3d direction, bool without_backdrops) {
   double farthest = -std::numeric_limits<double>::infinity();
   const auto add = [&](Vec3f p, double further) {
     farthest = std::max(farthest, dot(Vec3d(p), direction) + further);
@@ -53,11 +58,37 @@ double reach(const ShapeSet& shapes, Vec3d direction) {
   }
   for (const Ring& r : shapes.rings)
     add(r.center, disk_reach(Vec3d(r.normal), r.radius, direction));
-  const bool without_backdrops = has_objects(shapes);
   for (const Mesh& mesh : shapes.meshes) {
     if (without_backdrops && mesh.is_backdrop) continue;
     for (const Triangle& triangle : mesh.triangles)
       for (std::uint32_t corner : triangle) add(mesh.positions[corner], 0);
+  }
+  return farthest;
+}
+
+/// Upper bound of a box's reach.
+double reach_of(const Box& box, Vec3d direction) {
+  const Vec3d half = (Vec3d(box.hi) - Vec3d(box.lo)) * 0.5;
+  return dot(Vec3d(box.lo) + half, direction) + std::abs(direction.x) * half.x +
+         std::abs(direction.y) * half.y + std::abs(direction.z) * half.z;
+}
+
+}  // namespace
+
+double reach(const ShapeSet& shapes, Vec3d direction) {
+  const bool without_backdrops = has_objects(shapes);
+  double farthest = reach_of_own(shapes, direction, without_backdrops);
+  std::vector<Box> box;
+  for (const ShapeSet& group : shapes.groups)
+    box.push_back(without_backdrops ? object_bounds(group) : bounds(group));
+  for (const auto& [group, map] : shapes.instances) {
+    // The direction as the group sees it: that of the transposed map.
+    const Vec3d within{dot(map.x_axis, direction), dot(map.y_axis, direction),
+                       dot(map.z_axis, direction)};
+    const double offset = dot(map.offset, direction);
+    if (!box[group].is_empty() && reach_of(box[group], within) + offset > farthest)
+      farthest = std::max(farthest,
+                          reach_of_own(shapes.groups[group], within, without_backdrops) + offset);
   }
   return farthest;
 }

@@ -28,7 +28,7 @@ struct Light {
   LightShape shape;
   Color intensity{1, 1, 1};
   Falloff falloff = Falloff::none;
-  std::optional<Beam> beam;  ///< none: it shines all around; not for suns
+  std::optional<Beam> beam{};  ///< none: it shines all around; not for suns
 };
 
 }  // namespace penumbra

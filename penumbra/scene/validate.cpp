@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "penumbra/geometry/placed_shape.h"
 #include "penumbra/scene/check_light.h"
 #include "penumbra/scene/coordinates.h"
 #include "penumbra/scene/error.h"
@@ -70,9 +71,7 @@ void check_materials(const Scene& scene, const Checker& check) {
   }
 }
 
-void check_shapes(Scene& scene, const Checker& check) {
-  ShapeSet& shapes = scene.shapes;
-  const std::size_t materials = scene.materials.size();
+void check_shapes(ShapeSet& shapes, std::size_t materials, const Checker& check) {
   constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
   check.require(shapes.spheres.size() < most && shapes.cones.size() < most &&
                     shapes.rings.size() < most && shapes.meshes.size() < most,
@@ -150,11 +149,10 @@ void check_mesh(const Mesh& mesh, std::size_t i, std::size_t materials, const Ch
 }
 
 /// Checks all meshes, then mends them; returns how many degenerate triangles went.
-std::size_t check_meshes(Scene& scene, const Checker& check) {
-  std::vector<Mesh>& meshes = scene.shapes.meshes;
+std::size_t check_meshes(std::vector<Mesh>& meshes, std::size_t materials, const Checker& check) {
   std::size_t dropped = 0;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
-    check_mesh(meshes[i], i, scene.materials.size(), check);
+    check_mesh(meshes[i], i, materials, check);
     dropped += drop_degenerate_triangles(meshes[i]);
     mend_normals(meshes[i]);
     for (Vec2f& uv : meshes[i].uvs)
@@ -162,6 +160,41 @@ std::size_t check_meshes(Scene& scene, const Checker& check) {
   }
   std::erase_if(meshes, [](const Mesh& mesh) { return mesh.triangles.empty(); });
   return dropped;
+}
+
+bool is_quadric_free(const ShapeSet& shapes) {
+  return shapes.spheres.empty() && shapes.cones.empty() && shapes.rings.empty();
+}
+
+/// Entries that float and its squares can deal with: see `make_placement`.
+bool is_moderate(const Transform& map) {
+  for (const Vec3d& axis : {map.x_axis, map.y_axis, map.z_axis})
+    for (int i = 0; i < 3; ++i)
+      if (const double size = std::abs(axis[i]); !(size == 0 || (size >= 1e-15 && size <= 1e15)))
+        return false;
+  return determinant(map) != 0;
+}
+
+/// Instances that place something, as the kernel can have it.
+void check_instances(ShapeSet& shapes, const Checker& check) {
+  for (std::size_t i = 0; i < shapes.instances.size(); ++i) {
+    const auto& [group, map] = shapes.instances[i];
+    check.require(group < shapes.groups.size(), "instance", i, "places a group that does not exist",
+                  "number groups from 0");
+    check.require(is_coordinate(map.offset) && is_moderate(map), "instance", i,
+                  "has a placement that flattens, or has numbers that are 0 or beyond 1e15",
+                  "flatten the scene");
+    check.require(is_quadric_free(shapes.groups[group]) || similarity_scale(map) > 0, "instance", i,
+                  "bends spheres, cones or rings", "tessellate them");
+  }
+  std::erase_if(shapes.instances, [&](const Instance& instance) {
+    return own_primitive_count(shapes.groups[instance.group]) == 0;
+  });
+  const Box box = bounds(shapes);
+  check.require(box.is_empty() || (is_coordinate(box.lo) && is_coordinate(box.hi)),
+                "an instance reaches beyond 1e15", coordinate_hint);
+  check.require(primitive_count(shapes) < 1u << 31, "instances place more than 2^31 primitives",
+                "split the scene");
 }
 
 /// Flat, long and many-cornered lights are sampled in coordinates of their own size, beside which
@@ -208,9 +241,18 @@ ValidationReport validate(Scene& scene) {
   const Checker check(scene.name);
   if (scene.materials.empty()) scene.materials.emplace_back();
   check_materials(scene, check);
-  check_shapes(scene, check);
   ValidationReport report;
-  report.degenerate_triangles = check_meshes(scene, check);
+  const auto check_set = [&](ShapeSet& shapes) {
+    check_shapes(shapes, scene.materials.size(), check);
+    report.degenerate_triangles += check_meshes(shapes.meshes, scene.materials.size(), check);
+  };
+  check_set(scene.shapes);
+  for (ShapeSet& group : scene.shapes.groups) {
+    check.require(group.groups.empty() && group.instances.empty(), "a group holds groups",
+                  "compose the placements");
+    check_set(group);
+  }
+  check_instances(scene.shapes, check);
   check.require(primitive_count(scene.shapes) > 0, "nothing to draw",
                 "give it a sphere, a cone or a triangle that is not degenerate");
   check_lights(scene, check);

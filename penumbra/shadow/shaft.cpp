@@ -43,17 +43,17 @@ bool gather_candidates(const ShadowScene& scene, std::uint32_t light, const Box&
                        const SeenLight& sight, std::size_t most, CandidateList& list,
                        std::uint64_t& tests) {
   list.clear();
-  if (scene.kernel->nodes().empty()) return false;
+  const WideTree& tree = scene.kernel->tree();
+  if (tree.nodes.empty()) return false;
   ShaftBounds bounds = bounds_of(scene.hulls[light], receivers);
   add_floor(sight, scene.receivers, bounds);
-  const std::span<const Record> records = scene.kernel->records();
-  const auto add = [&](std::uint32_t first, std::uint32_t count) {
-    for (std::uint32_t i = first; i < first + count; ++i)
-      if (records[i].casts_shadow) list.add(records[i], i);
-    tests += count;
+  const auto add = [&](std::span<const Record> records, std::uint32_t first) {
+    for (std::uint32_t i = 0; i < records.size(); ++i)
+      if (records[i].casts_shadow) list.add(records[i], first + i);
+    tests += records.size();
     return list.size() > most;
   };
-  return !walk(scene.kernel->nodes(), records, bounds, add);
+  return !walk(tree, bounds, add);
 }
 
 }  // namespace penumbra

@@ -16,12 +16,21 @@ bool turns_otherwise(const Record& triangle, Vec3f a, Vec3f b) {
 
 }  // namespace
 
-TriangleSheet::TriangleSheet(const ShapeSet& shapes, std::span<const Record> records) {
+TriangleSheet::TriangleSheet(const ShapeSet& shapes, const RecordTable& records)
+    : own_(neighbors(shapes, records.own())), is_empty_(own_.empty()) {
+  for (std::size_t i = 0; i < shapes.groups.size(); ++i) {
+    of_group_.push_back(neighbors(shapes.groups[i], records.tree()->groups[i].records));
+    is_empty_ &= of_group_.back().empty();
+  }
+}
+
+TriangleSheet::Neighbors TriangleSheet::neighbors(const ShapeSet& shapes,
+                                                  std::span<const Record> records) {
   std::size_t first = shapes.spheres.size() + shapes.cones.size() + shapes.rings.size();
-  if (first == records.size()) return;
+  if (first == records.size()) return {};
   std::vector<std::uint32_t> record_of(records.size());  // by id
   for (std::uint32_t i = 0; i < records.size(); ++i) record_of[records[i].id] = i;
-  neighbors_.resize(records.size(), {no_record, no_record, no_record});
+  Neighbors beside(records.size(), {no_record, no_record, no_record});
   for (const Mesh& mesh : shapes.meshes) {
     const auto across = triangle_neighbors(mesh);
     for (std::size_t t = 0; t < across.size(); ++t)
@@ -30,10 +39,17 @@ TriangleSheet::TriangleSheet(const ShapeSet& shapes, std::span<const Record> rec
         const std::uint32_t here = record_of[first + t], there = record_of[first + across[t][k]];
         if (!records[there].casts_shadow) continue;
         const Vec3f a = records[here].vector(3 * k), b = records[here].vector(3 * ((k + 1) % 3));
-        neighbors_[here][k] = there | (turns_otherwise(records[there], a, b) ? turned : 0);
+        beside[here][k] = there | (turns_otherwise(records[there], a, b) ? turned : 0);
       }
     first += across.size();
   }
+  return beside;
+}
+
+std::size_t TriangleSheet::memory_bytes() const {
+  std::size_t sum = own_.capacity() * sizeof own_[0];
+  for (const Neighbors& neighbors : of_group_) sum += neighbors.capacity() * sizeof neighbors[0];
+  return sum;
 }
 
 void SheetScratch::clear() {

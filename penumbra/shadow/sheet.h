@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "penumbra/geometry/shape.h"
-#include "penumbra/kernel/record.h"
+#include "penumbra/kernel/record_table.h"
 #include "penumbra/kernel/traverse.h"
 #include "penumbra/shadow/seen_light.h"
 
@@ -28,8 +28,8 @@ namespace penumbra {
 class TriangleSheet {
  public:
   TriangleSheet() = default;
-  /// `records`: the kernel's, of these shapes. Cost: O(n log n).
-  TriangleSheet(const ShapeSet& shapes, std::span<const Record> records);
+  /// `records`: the kernel's, of these shapes. Groups are stored once. Cost: O(n log n).
+  TriangleSheet(const ShapeSet& shapes, const RecordTable& records);
 
   /// A record in the sheet, and whether its corners turn the other way than those of the record
   /// that the search began with.
@@ -38,19 +38,38 @@ class TriangleSheet {
     bool is_turned = false;
   };
 
-  /// Across the edge from corner k to corner (k + 1) % 3. No record at outlines, at edges of three
-  /// triangles and more, and beside what casts no shadow.
-  Member across(Member from, int edge) const {
-    const std::uint32_t bits = neighbors_[from.record][edge];
-    if (bits == no_record) return {};
-    return {bits & ~turned, from.is_turned != ((bits & turned) != 0)};
+  /// Of records: the neighbours of each, by the numbers that they have among them, and whether they
+  /// turn otherwise.
+  using Neighbors = std::vector<std::array<std::uint32_t, 3>>;
+
+  /// What a search stays in: sheets don't go from an instance to what is outside of it.
+  struct Part {
+    const Neighbors* neighbors = nullptr;  ///< none where there are no triangles
+    std::uint32_t first = 0;               ///< index of the first record
+
+    /// Across the edge from corner k to corner (k + 1) % 3. No record at outlines, at edges of
+    /// three triangles and more, and beside what casts no shadow.
+    Member across(Member from, int edge) const {
+      const std::uint32_t bits = (*neighbors)[from.record - first][edge];
+      if (bits == no_record) return {};
+      return {first + (bits & ~turned), from.is_turned != ((bits & turned) != 0)};
+    }
+  };
+  Part part_of(const RecordRun& run) const {
+    const Neighbors& neighbors = run.placement ? of_group_[run.placement->group] : own_;
+    return {neighbors.empty() ? nullptr : &neighbors, run.first};
   }
-  bool is_empty() const { return neighbors_.empty(); }
-  std::size_t memory_bytes() const { return neighbors_.capacity() * sizeof neighbors_[0]; }
+
+  /// No triangles anywhere.
+  bool is_empty() const { return is_empty_; }
+  std::size_t memory_bytes() const;
 
  private:
   static constexpr std::uint32_t turned = 0x80000000u;
-  std::vector<std::array<std::uint32_t, 3>> neighbors_;
+  static Neighbors neighbors(const ShapeSet& shapes, std::span<const Record> records);
+  Neighbors own_;
+  std::vector<Neighbors> of_group_;
+  bool is_empty_ = true;
 };
 
 /// The triangles of a search: memory that is reused.
@@ -78,8 +97,8 @@ class SheetScratch {
 /// samples and the intersector. False as well where that takes more than `most_triangles` (at most
 /// SheetScratch::most), and for start records of other kinds. `light` must be certain. Adds the
 /// triangles looked at to `tests`. Cost: 20 ns a triangle.
-bool sheet_covers(const TriangleSheet& sheet, std::span<const Record> records,
-                  const SeenLight& light, std::uint32_t start, std::uint32_t most_triangles,
-                  SheetScratch& scratch, std::uint64_t& tests);
+bool sheet_covers(const TriangleSheet& sheet, const RecordTable& records, const SeenLight& light,
+                  std::uint32_t start, std::uint32_t most_triangles, SheetScratch& scratch,
+                  std::uint64_t& tests);
 
 }  // namespace penumbra

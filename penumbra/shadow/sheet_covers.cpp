@@ -81,11 +81,13 @@ struct SheetBits {
   std::uint32_t inside[3];
 };
 
-HWY_INLINE SheetBits test_sheet(const SightLanes& sight, std::span<const Record> records,
+HWY_INLINE SheetBits test_sheet(const SightLanes& sight, const RecordRun& records,
                                 std::span<const TriangleSheet::Member> members) {
   alignas(64) float corner[9][lane_count] = {};
-  for (std::size_t lane = 0; lane < members.size(); ++lane)
-    for (int i = 0; i < 9; ++i) corner[i][lane] = records[members[lane].record].number[i];
+  for (std::size_t lane = 0; lane < members.size(); ++lane) {
+    const Record record = records[members[lane].record];
+    for (int i = 0; i < 9; ++i) corner[i][lane] = record.number[i];
+  }
   SheetLanes t;
   for (int k = 0; k < 3; ++k)
     t.v[k] = sub({hn::Load(lane_tag, corner[3 * k]), hn::Load(lane_tag, corner[3 * k + 1]),
@@ -105,9 +107,9 @@ HWY_INLINE SheetBits test_sheet(const SightLanes& sight, std::span<const Record>
   return bits;
 }
 
-bool SheetCovers(const TriangleSheet& sheet, std::span<const Record> records,
-                 const SeenLight& light, std::uint32_t start, std::uint32_t most_triangles,
-                 SheetScratch& scratch, std::uint64_t& tests) {
+bool SheetCovers(const TriangleSheet::Part& sheet, const RecordRun& records, const SeenLight& light,
+                 std::uint32_t start, std::uint32_t most_triangles, SheetScratch& scratch,
+                 std::uint64_t& tests) {
   const SightLanes sight(light);
   scratch.clear();
   scratch.insert({start, false});
@@ -147,13 +149,14 @@ namespace penumbra {
 
 HWY_EXPORT(SheetCovers);
 
-bool sheet_covers(const TriangleSheet& sheet, std::span<const Record> records,
-                  const SeenLight& light, std::uint32_t start, std::uint32_t most_triangles,
-                  SheetScratch& scratch, std::uint64_t& tests) {
-  const Record& first = records[start];
-  if (sheet.is_empty() || first.kind != ShapeKind::triangle || !first.casts_shadow) return false;
-  return HWY_DYNAMIC_DISPATCH(SheetCovers)(sheet, records, light, start, most_triangles, scratch,
-                                           tests);
+bool sheet_covers(const TriangleSheet& sheet, const RecordTable& records, const SeenLight& light,
+                  std::uint32_t start, std::uint32_t most_triangles, SheetScratch& scratch,
+                  std::uint64_t& tests) {
+  const RecordRun run = records.run_of(start);
+  const TriangleSheet::Part part = sheet.part_of(run);
+  const Record first = run[start];
+  if (!part.neighbors || first.kind != ShapeKind::triangle || !first.casts_shadow) return false;
+  return HWY_DYNAMIC_DISPATCH(SheetCovers)(part, run, light, start, most_triangles, scratch, tests);
 }
 
 }  // namespace penumbra

@@ -206,13 +206,16 @@ class Tile {
     if (few_records.size() > looked_at || !queue_.closely.is_due()) return ShadowClass::penumbra;
     const Vec3f p = queries_[scratch_.query[row]].receiver.position;
     const LightHull& light = scene_.hulls[light_];
-    const std::span<const Record> records = scene_.kernel->records();
+    const RecordTable records = scene_.kernel->records();
+    Record room;
     std::erase_if(few_records, [&](std::uint32_t i) {
-      return records[i].kind != ShapeKind::sphere && surely_behind_horizon(records[i], light, p);
+      const Record& record = records.get(i, room);
+      return record.kind != ShapeKind::sphere && surely_behind_horizon(record, light, p);
     });
     const bool is_covered =
         std::any_of(few_records.begin(), few_records.end(), [&](std::uint32_t i) {
-          return records[i].kind != ShapeKind::sphere && surely_covers(records[i], light, p);
+          const Record& record = records.get(i, room);
+          return record.kind != ShapeKind::sphere && surely_covers(record, light, p);
         });
     queue_.closely.note(is_covered || few_records.empty());
     return is_covered            ? ShadowClass::umbra

@@ -21,6 +21,7 @@ std::string describe(const RayNode& node) {
   out += shape.kind == ShapeKind::triangle
              ? fmt::format("mesh {} triangle {}", shape.index, shape.triangle)
              : fmt::format("{} {}", name_of(shape.kind), shape.index);
+  if (shape.instance > 0) out += fmt::format(" of instance {}", shape.instance - 1);
   out += fmt::format(", t = {:.9g}{}\n", node.hit->t,
                      node.point.surface.is_back ? ", from inside" : "");
   out += fmt::format("    material \"{}\", diffuse {}\n", node.point.material->name,

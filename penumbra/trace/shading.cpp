@@ -2,8 +2,10 @@
 #include "penumbra/trace/shading.h"
 
 #include <cmath>
+#include <utility>
 
 #include "penumbra/geometry/irradiance.h"
+#include "penumbra/geometry/placed_shape.h"
 
 namespace penumbra {
 namespace {
@@ -25,12 +27,25 @@ Vec2f interpolate_uv(const std::vector<Vec2f>& uvs, const Triangle& corner, cons
   return uv;
 }
 
+/// Of a placed mesh, each vertex normal as `transformed` would have it.
+Vec3f interpolate_placed(const Mesh& mesh, const Triangle& corner, const double* weight,
+                         const Transform& map) {
+  Vec3f sum;
+  for (int i = 0; i < 3; ++i)
+    sum += placed_normal(map, mesh.normals[corner[i]]) * static_cast<float>(weight[i]);
+  return sum;
+}
+
 void add_mesh_attributes(const Scene& scene, ShapeRef shape, ShadingPoint& point) {
-  const Mesh& mesh = scene.shapes.meshes[shape.index];
-  const Triangle& corner = mesh.triangles[shape.triangle];
+  const Mesh& mesh = home_of(scene.shapes, shape).meshes[shape.index];
+  const Transform* map =
+      shape.instance == 0 ? nullptr : &scene.shapes.instances[shape.instance - 1].placement;
+  Triangle corner = mesh.triangles[shape.triangle];
+  if (map && determinant(*map) < 0) std::swap(corner[1], corner[2]);  // as `corners` has them
   const double* weight = point.surface.barycentric;
   if (!mesh.normals.empty()) {
-    const Vec3f n = normalize(interpolate(mesh.normals, corner, weight));
+    const Vec3f n = normalize(map ? interpolate_placed(mesh, corner, weight, *map)
+                                  : interpolate(mesh.normals, corner, weight));
     if (dot(n, n) > 0.5f) point.shading_normal = dot(n, point.normal) < 0 ? -n : n;
   }
   if (!mesh.colors.empty())

@@ -201,8 +201,8 @@ RimTrials try_rims(std::uint64_t trials, Random& random) {
     ++result.deep;
     const Record record = make_record(solid, {ShapeKind::cone, 0, 0, 0}, 0);
     const NearestRecord found = nearest_brute({&record, 1}, {ray.origin, ray.direction});
-    result.missed += !found.record;
-    if (found.record)
+    result.missed += found.record == no_record;
+    if (found.record != no_record)
       result.worst = std::max(result.worst,
                               static_cast<double>(exact::distance(cone, line.at(found.t)) / ulp));
   }
@@ -243,7 +243,7 @@ TEST(IntersectTriangle, GrazingHitsLieOnTheTriangle) {
     const Vec3f origin = on_plane(), direction = on_plane() - origin;
     const Record record = make_record(shapes, {ShapeKind::triangle, 0, 0, 0}, 0);
     const NearestRecord found = nearest_brute({&record, 1}, {origin, direction});
-    if (!found.record) continue;
+    if (found.record == no_record) continue;
     ++hits;
     const double reach = reach_of(bounds(shapes), origin);
     const exact::Line ray{exact::Vec(origin), exact::Vec(direction)};

@@ -94,7 +94,8 @@ TEST(Traverse, OneRecordBlocksWhatBruteForceSaysItBlocks) {
     active.back() >>= 32 * count - rays.count;
     for (std::uint32_t i = 0; i < kernel.records().size(); ++i) {
       occluded_among(kernel.records(), {&i, 1}, rays, active, lanes);
-      occluded_brute({&kernel.records()[i], 1}, rays, active, one);
+      const Record record = kernel.records()[i];
+      occluded_brute({&record, 1}, rays, active, one);
       ASSERT_EQ(lanes, one);
     }
   });
@@ -104,12 +105,13 @@ TEST(Traverse, AWalkPassesEveryRecordThatItsRayMeets) {
   int met = 0;
   for_random_packets(7, [&](const Kernel& kernel, const LightSamples& rays) {
     std::vector<Box> boxes;
-    for (const Record& record : kernel.records()) boxes.push_back(bounds(record));
+    for (const Record& record : kernel.records().own()) boxes.push_back(bounds(record));
     const BoxTree tree = build_box_tree(boxes);
     const std::uint32_t active = 1;
     std::vector<std::uint32_t> blocked((rays.count + 31) / 32);
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-      occluded_brute({&kernel.records()[i], 1}, rays, std::vector(blocked.size(), active), blocked);
+      occluded_brute({&kernel.records().own()[i], 1}, rays, std::vector(blocked.size(), active),
+                     blocked);
       if (!(blocked[0] & 1)) continue;
       ++met;
       const auto holds_it = [&](std::uint32_t first, std::uint32_t count) {

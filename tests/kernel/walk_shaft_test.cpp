@@ -128,8 +128,8 @@ std::vector<std::uint32_t> look_up(const Kernel& kernel, const LightSamples& ray
 std::vector<bool> visited_records(const Kernel& kernel, const ShaftBounds& bounds) {
   std::vector<bool> visited(kernel.records().size());
   const bool is_ended =
-      walk(kernel.nodes(), kernel.records(), bounds, [&](std::uint32_t first, std::uint32_t count) {
-        for (std::uint32_t i = first; i < first + count; ++i) visited[i] = true;
+      walk(kernel.tree(), bounds, [&](std::span<const Record> records, std::uint32_t first) {
+        for (std::uint32_t i = 0; i < records.size(); ++i) visited[first + i] = true;
         return false;
       });
   EXPECT_FALSE(is_ended);
@@ -244,10 +244,10 @@ TEST(WalkShaftOverARow, EndsWhereALeafSaysSo) {
   const Row row;
   int leaves = 0;
   const ShaftBounds all{{{0, 0, -9}, {630, 0, -8}}, {0, 0, 16}, {0, 0, 17}};
-  EXPECT_TRUE(walk(row.kernel->nodes(), row.kernel->records(), all,
-                   [&](std::uint32_t, std::uint32_t) { return ++leaves == 2; }));
+  EXPECT_TRUE(walk(row.kernel->tree(), all,
+                   [&](std::span<const Record>, std::uint32_t) { return ++leaves == 2; }));
   EXPECT_EQ(leaves, 2);
-  EXPECT_FALSE(walk({}, {}, all, [](auto, auto) { return true; }));
+  EXPECT_FALSE(walk(WideTree{}, all, [](std::span<const Record>, std::uint32_t) { return true; }));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ struct Verdict {
 };
 
 Verdict judge(const Kernel& kernel, const LightHull& hull, const LightSamples& rays) {
-  const std::uint32_t blocked = blocked_rays(kernel.records().front(), rays).front();
+  const std::uint32_t blocked = blocked_rays(kernel.records()[0], rays).front();
   Verdict verdict{.is_blocked = blocked != 0};
   for (std::uint32_t i = 0; i < rays.count; ++i) {
     if (!(blocked >> i & 1)) continue;
@@ -59,7 +59,7 @@ Box around(Vec3f p, float by) { return {p - Vec3f{by, by, by}, p + Vec3f{by, by,
 void run(const Kernel& kernel, const trials::OffsetTrial& trial, const nasty::Place& place,
          Random& random, Count& count) {
   static const SamplePattern pattern(sample_count);
-  const Record& record = kernel.records().front();
+  const Record record = kernel.records()[0];
   const Box shape = bounds(record);
   Box scene = shape;
   scene.add(trial.p);

@@ -27,7 +27,7 @@ struct Sheet {
     return no_record;
   }
   Member across(std::uint32_t triangle, int edge, bool is_turned = false) const {
-    return sheet.across({record_of(triangle), is_turned}, edge);
+    return sheet.part_of(kernel.records().run_of(0)).across({record_of(triangle), is_turned}, edge);
   }
 
   ShapeSet shapes;

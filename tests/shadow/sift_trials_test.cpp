@@ -161,7 +161,7 @@ Count run_pair(const ShapeForm& form, const char* light_kind, std::uint64_t rece
     for (int i = 0; i < 32; ++i) {
       const auto first = trials::offset_trial(shapes, kernel, place, light_kind, random);
       const GroupTrial trial(light_kind, first, double(place.scale), place_one, random);
-      try_one(kernel.records().front(), trial, random, count);
+      try_one(kernel.records()[0], trial, random, count);
       if (testing::Test::HasFatalFailure()) return;
     }
   });
