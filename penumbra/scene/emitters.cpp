@@ -123,8 +123,8 @@ void clear_shadow(Scene& scene, const Part& part,
 
 }  // namespace
 
-std::size_t add_emitter_lights(Scene& scene) {
-  if (std::none_of(scene.materials.begin(), scene.materials.end(), glows)) return 0;
+EmitterReport add_emitter_lights(Scene& scene) {
+  if (std::none_of(scene.materials.begin(), scene.materials.end(), glows)) return {};
   std::size_t parts = 0;
   std::vector<Emitter> emitters;
   for (std::size_t m = 0; m < scene.shapes.meshes.size(); ++m)
@@ -149,7 +149,7 @@ std::size_t add_emitter_lights(Scene& scene) {
     clear_shadow(scene, emitter.part, twins);
     scene.lights.push_back(emitter.light);
   }
-  return parts - emitters.size();
+  return {parts, emitters.size(), 0, parts - emitters.size(), 0};
 }
 
 }  // namespace penumbra

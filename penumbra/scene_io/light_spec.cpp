@@ -10,9 +10,9 @@
 #include <variant>
 
 #include "penumbra/geometry/centroid.h"
+#include "penumbra/geometry/convex_hull.h"
 #include "penumbra/scene/check_light.h"
 #include "penumbra/scene/error.h"
-#include "penumbra/scene_io/convex_hull.h"
 #include "penumbra/scene_io/numbers.h"
 
 namespace penumbra {

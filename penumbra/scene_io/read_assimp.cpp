@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "penumbra/scene/emitters.h"
 #include "penumbra/scene_io/assimp_import.h"
 #include "penumbra/scene_io/child_process.h"
 #include "penumbra/scene_io/exposure.h"
+#include "penumbra/scene_io/light_emitters.h"
 #include "penumbra/scene_io/source.h"
 #include "penumbra/scene_io/texture_io.h"
 
@@ -50,8 +50,7 @@ Scene read_assimp(const Source& source, Warnings& warnings) {
   TextureLoader textures(source, scene, warnings);
   load_textures(read, textures, scene);
   balance_lights(scene);
-  if (add_emitter_lights(scene) > 0)
-    warnings.add("a glowing surface that is no parallelogram does not light the scene");
+  light_emitters(scene, warnings);
   scene.wants_ground = !scene.camera && scene.lights.empty();
   return scene;
 }

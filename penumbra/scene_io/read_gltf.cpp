@@ -9,11 +9,11 @@
 #include <fmt/format.h>
 
 #include "penumbra/geometry/transform.h"
-#include "penumbra/scene/emitters.h"
 #include "penumbra/scene_io/exposure.h"
 #include "penumbra/scene_io/gltf_document.h"
 #include "penumbra/scene_io/gltf_materials.h"
 #include "penumbra/scene_io/gltf_meshes.h"
+#include "penumbra/scene_io/light_emitters.h"
 #include "penumbra/scene_io/source.h"
 #include "penumbra/scene_io/texture_io.h"
 
@@ -183,8 +183,7 @@ Scene read_gltf(const Source& source, Warnings& warnings) {
   if (scene.shapes.meshes.empty())
     gltf.fail("there are no triangles in the scene", "does it show anything in a viewer?");
   balance_lights(scene);
-  if (add_emitter_lights(scene) > 0)
-    warnings.add("a glowing surface that is no parallelogram does not light the scene");
+  light_emitters(scene, warnings);
   scene.wants_ground = !scene.camera && scene.lights.empty();
   return scene;
 }

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "penumbra/scene/emitters.h"
+#include "penumbra/scene_io/light_emitters.h"
 #include "penumbra/scene_io/obj_data.h"
 #include "penumbra/scene_io/read_mtl.h"
 #include "penumbra/scene_io/source.h"
@@ -71,8 +71,7 @@ Scene read_obj(const Source& source, Warnings& warnings) {
     scene.materials.push_back(std::move(material));
   }
   scene.shapes.meshes = obj_meshes(data, scene.name);
-  if (add_emitter_lights(scene) > 0)
-    warnings.add("a glowing surface that is no parallelogram does not light the scene");
+  light_emitters(scene, warnings);
   scene.wants_ground = scene.lights.empty();
   return scene;
 }

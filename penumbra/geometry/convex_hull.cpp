@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "penumbra/scene_io/convex_hull.h"
+#include "penumbra/geometry/convex_hull.h"
 
 extern "C" {
 #include <libqhull_r/qhull_ra.h>
@@ -10,6 +10,7 @@ extern "C" {
 #include <utility>
 #include <vector>
 
+#include "penumbra/geometry/box.h"
 #include "penumbra/geometry/centroid.h"
 #include "penumbra/geometry/mesh.h"
 
