@@ -196,7 +196,7 @@ std::vector<Light> parse_lights(const std::vector<std::string>& words) {
   std::vector<Light> lights;
   for (std::size_t begin = 0; begin < all.size();) {
     std::size_t end = begin + 1;
-    while (end < all.size() && number<double>(all[end])) ++end;
+    while (end < all.size() && (number<double>(all[end]) || all[end] == "beam")) ++end;
     try {
       lights.push_back(parse_light(std::span(all).subspan(begin, end - begin)));
     } catch (const Error& error) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -141,6 +142,37 @@ struct LightJson {
   }
 };
 
+double angle_deg(float cosine) { return std::acos(double{cosine}) * 180 / std::numbers::pi; }
+
+std::string beam_text(const std::optional<Beam>& beam) {
+  if (!beam) return "";
+  return fmt::format(", beam along {}, full up to {:.3g} degrees, none from {:.3g} on",
+                     text(beam->axis), angle_deg(beam->cos_full), angle_deg(beam->cos_none));
+}
+
+std::string view_text(const Camera& camera) {
+  std::string out = camera.parallel_height > 0
+                        ? fmt::format("parallel, {:g} high", camera.parallel_height)
+                        : fmt::format("{:g} degrees", camera.fov_deg);
+  const ImageWindow& w = camera.window;
+  if (w.left != 0 || w.top != 0 || w.right != 1 || w.bottom != 1)
+    out += fmt::format(", window ({:g}, {:g}) to ({:g}, {:g})", w.left, w.top, w.right, w.bottom);
+  return out;
+}
+
+Json camera_json(const Camera& camera) {
+  const ImageWindow& w = camera.window;
+  Json json_camera = {{"kind", camera.parallel_height > 0 ? "parallel" : "perspective"},
+                      {"from", json(camera.from)},
+                      {"at", json(camera.at)},
+                      {"up", json(camera.up)},
+                      {"fov_deg", camera.fov_deg},
+                      {"window", {w.left, w.top, w.right, w.bottom}},
+                      {"size", {camera.width, camera.height}}};
+  if (camera.parallel_height > 0) json_camera["parallel_height"] = camera.parallel_height;
+  return json_camera;
+}
+
 std::string mesh_line(const MeshFacts& mesh) {
   return fmt::format(
       "{} triangles, {} vertices; components: {} closed (of {} triangles), {} open (of {}); edges: "
@@ -244,15 +276,16 @@ std::string to_text(const SceneFacts& facts, const Scene& scene) {
   fmt::format_to(to, "materials     {}, textures {}\n", scene.materials.size(),
                  scene.textures.size());
   for (const Light& light : scene.lights)
-    fmt::format_to(to, "light         {}, intensity {}{}\n", std::visit(LightText{}, light.shape),
+    fmt::format_to(to, "light         {}, intensity {}{}{}\n", std::visit(LightText{}, light.shape),
                    text(light.intensity),
-                   light.falloff == Falloff::none ? "" : " / distance squared");
+                   light.falloff == Falloff::none ? "" : " / distance squared",
+                   beam_text(light.beam));
   if (scene.lights.empty())
     fmt::format_to(to, "light         none: render adds a large and a small one\n");
   if (scene.camera)
-    fmt::format_to(to, "camera        from {} at {}, up {}, {:g} degrees, {}x{}\n",
-                   text(scene.camera->from), text(scene.camera->at), text(scene.camera->up),
-                   scene.camera->fov_deg, scene.camera->width, scene.camera->height);
+    fmt::format_to(to, "camera        from {} at {}, up {}, {}, {}x{}\n", text(scene.camera->from),
+                   text(scene.camera->at), text(scene.camera->up), view_text(*scene.camera),
+                   scene.camera->width, scene.camera->height);
   else
     fmt::format_to(to, "camera        none: render frames the objects\n");
   fmt::format_to(to, "bounds        {} to {}\n", text(facts.bounds.lo), text(facts.bounds.hi));
@@ -276,14 +309,13 @@ std::string to_json(const SceneFacts& facts, const Scene& scene) {
     lights.push_back(std::visit(LightJson{}, light.shape));
     lights.back()["intensity"] = json(light.intensity);
     lights.back()["falloff"] = light.falloff == Falloff::none ? "none" : "inverse_square";
+    if (light.beam)
+      lights.back()["beam"] = {{"axis", json(light.beam->axis)},
+                               {"full_deg", angle_deg(light.beam->cos_full)},
+                               {"none_deg", angle_deg(light.beam->cos_none)}};
   }
   Json camera = nullptr;
-  if (scene.camera)
-    camera = {{"from", json(scene.camera->from)},
-              {"at", json(scene.camera->at)},
-              {"up", json(scene.camera->up)},
-              {"fov_deg", scene.camera->fov_deg},
-              {"size", {scene.camera->width, scene.camera->height}}};
+  if (scene.camera) camera = camera_json(*scene.camera);
   const Json all = {
       {"scene", scene.name},
       {"primitives",

@@ -16,7 +16,9 @@ const char* const lights_help =
     "  point x y z                              rect cx cy cz ux uy uz vx vy vz (half edges)\n"
     "  sphere cx cy cz r                        disk cx cy cz nx ny nz r (n: its normal)\n"
     "  line ax ay az bx by bz (from a to b)     polygon n x y z ... (n corners, convex, in order)\n"
-    "  mesh n x y z ... (convex hull of n)      sun dx dy dz degrees (towards it; diameter)\n\n";
+    "  mesh n x y z ... (convex hull of n)      sun dx dy dz degrees (towards it; diameter)\n"
+    "All but suns may end in `beam ax ay az full none`: along an axis, full light up to the first\n"
+    "angle from it (in degrees), none from the second on.\n\n";
 
 void add_scene_options(CLI::App& command, SceneWishes& w) {
   using Text = const std::string&;
@@ -28,7 +30,7 @@ void add_scene_options(CLI::App& command, SceneWishes& w) {
   add("--at", "x,y,z", "What it looks at", [&w](Text text) { w.complete.at = parse_vector(text); });
   add("--up", "x,y,z", "Its upward direction",
       [&w](Text text) { w.complete.up = parse_vector(text); });
-  add("--fov", "DEG", "Vertical field of view",
+  add("--fov", "DEG", "Vertical field of view, in perspective",
       [&w](Text text) { w.complete.fov_deg = parse_number(text, 0.001, 179.999); });
   add("--ground", "auto|none|HEIGHT", "A floor (default auto: under bare models)",
       [&w](Text text) { w.complete.ground = parse_ground(text); });

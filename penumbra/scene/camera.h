@@ -10,7 +10,8 @@
 namespace penumbra {
 
 /// The part of the whole picture that is drawn, in image positions: (0, 0) the upper left corner of
-/// the whole, (1, 1) the lower right one. May reach beyond it (shifted lenses).
+/// the whole, (1, 1) the lower right one. May reach beyond it (shifted lenses); a left edge beyond
+/// the right one, or a top below the bottom, mirrors the picture.
 struct ImageWindow {
   double left = 0, top = 0, right = 1, bottom = 1;
 };
@@ -27,13 +28,26 @@ struct Camera {
                 height = 512;  ///< the file's own resolution, unless the user gives another
 };
 
-/// The ray frame: direction of image position (x, y) in [0, 1]², (0, 0) the upper left corner, is
-/// forward + (2x - 1) right - (2y - 1) up, not normalised; its component along the axis is 1.
+/// The ray frame. At image position (x, y) in [0, 1]² of what is drawn, (0, 0) its upper left
+/// corner, let s = (2x - 1) right - (2y - 1) up. Perspective rays start at the origin along
+/// forward + s, not normalised; parallel ones at origin + s along forward. Either direction's
+/// component along the viewing axis is 1.
 struct CameraFrame {
   Vec3d origin, forward, right, up;
+  bool is_parallel = false;
 };
 
-/// For a picture of this aspect (width / height).
+/// A camera ray, not normalised.
+struct CameraLine {
+  Vec3d origin, direction;
+};
+
+/// For a drawn picture of this aspect (width / height). The whole picture has this times the height
+/// of the window over its width (both without sign), so that the window is drawn undistorted and
+/// the field of view, or the parallel height, is the whole picture's vertical one.
 CameraFrame frame(const Camera& camera, double aspect);
+
+/// The ray at an image position as above, given as 2x - 1 and 2y - 1.
+CameraLine line_at(const CameraFrame& frame, double right, double down);
 
 }  // namespace penumbra

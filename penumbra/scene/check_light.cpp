@@ -147,4 +147,15 @@ std::optional<LightProblem> problem_of(const LightShape& light) {
   return std::visit([](const auto& shape) { return problem_with(shape); }, light);
 }
 
+std::optional<LightProblem> problem_of(const Beam& beam, const LightShape& light) {
+  if (std::holds_alternative<SunLight>(light))
+    return LightProblem{"is a sun with a beam", "leave the beam out: a sun shines everywhere"};
+  if (!is_finite(beam.axis) || normalize(beam.axis) == Vec3f{})
+    return LightProblem{"has a beam without direction", "give it an axis that is not 0"};
+  if (!(beam.cos_none >= -1 && beam.cos_none <= beam.cos_full && beam.cos_full <= 1))
+    return LightProblem{"has a beam whose angles are out of order or outside [0, 180] degrees",
+                        "give the angle of full light first, then that of none"};
+  return {};
+}
+
 }  // namespace penumbra

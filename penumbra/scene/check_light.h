@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "penumbra/geometry/light_shape.h"
+#include "penumbra/scene/light.h"
 
 namespace penumbra {
 
@@ -17,5 +17,8 @@ struct LightProblem {
 /// shapes may be bent, and convex ones dented, by what float coordinates cannot express, polygons
 /// by a thousandth of their size. Cost: triangles times corners.
 std::optional<LightProblem> problem_of(const LightShape& light);
+
+/// The same for the beam of a light of this shape. Its axis need not be unit, but not 0.
+std::optional<LightProblem> problem_of(const Beam& beam, const LightShape& light);
 
 }  // namespace penumbra

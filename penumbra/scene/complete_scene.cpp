@@ -36,6 +36,7 @@ Camera choose_camera(const Scene& scene, const Subject& subject, const SceneOpti
   if (options.at) camera.at = *options.at;
   if (options.up) camera.up = *options.up;
   camera.fov_deg = fov_deg;
+  if (options.fov_deg) camera.parallel_height = 0;
   require(is_finite(camera.from) && is_finite(camera.at) && is_finite(camera.up),
           "the camera's place, target or up is not finite", "give --from, --at and --up numbers");
   require(normalize(camera.at - camera.from) != Vec3d{}, "the camera stands at its target",

@@ -18,7 +18,7 @@ enum class Falloff { none, inverse_square };
 /// Where a light shines: a factor of its unshadowed light by the angle at its centre between
 /// `axis` and the way to p. 1 inside `cos_full`, 0 outside `cos_none`, smooth between (3x² - 2x³ of
 /// the cosine). Flat lights that shine from their front alone have their normal as the axis and
-/// both cosines 0. Shading only: visibility is asked for the whole light.
+/// both cosines 0. Visibility is of the whole light, and not asked where the factor is 0.
 struct Beam {
   Vec3f axis{0, 0, 1};  ///< unit
   float cos_full = -1, cos_none = -1;

@@ -216,7 +216,32 @@ void check_lights(Scene& scene, const Checker& check) {
                   "is more than a million times as large as the scene", "use sun, or a sphere");
     if (auto* sun = std::get_if<SunLight>(&light.shape)) sun->direction = unit(sun->direction);
     if (auto* disk = std::get_if<DiskLight>(&light.shape)) disk->normal = unit(disk->normal);
+    if (!light.beam) continue;
+    const std::optional<LightProblem> beam_problem = problem_of(*light.beam, light.shape);
+    if (beam_problem) check.require(false, "light", i, beam_problem->what, beam_problem->hint);
+    light.beam->axis = unit(light.beam->axis);
   }
+}
+
+// Comparisons are written so that NaN fails them.
+void check_camera(const Camera& camera, const Checker& check) {
+  check.require(is_coordinate(camera.from) && is_coordinate(camera.at) &&
+                    is_coordinate(camera.up) && std::isfinite(camera.fov_deg),
+                "the camera has a number that is not finite and within ±1e15", coordinate_hint);
+  check.require(camera.near >= 0 && camera.near <= largest_coordinate,
+                "the camera's near distance is negative or not finite", "use 0 for none");
+  check.require(camera.parallel_height >= 0 && camera.parallel_height <= largest_coordinate,
+                "the height of the camera's parallel view is negative or not finite",
+                "use 0 for perspective");
+  const ImageWindow& w = camera.window;
+  constexpr double most = 1e6;  // pictures away from the middle, or across
+  for (const double edge : {w.left, w.top, w.right, w.bottom})
+    check.require(std::abs(edge) <= most, "the camera's window has an edge beyond ±1e6",
+                  "use 0 0 1 1 for the whole picture");
+  check.require(std::abs(w.right - w.left) >= 1 / most && std::abs(w.bottom - w.top) >= 1 / most,
+                "the camera's window is empty", "use 0 0 1 1 for the whole picture");
+  check.require(camera.width > 0 && camera.height > 0, "the camera's resolution is 0",
+                "use 512 x 512");
 }
 
 void check_surroundings(Scene& scene, const Checker& check) {
@@ -224,15 +249,7 @@ void check_surroundings(Scene& scene, const Checker& check) {
                 "the background or the ambient light is negative or not finite", color_hint);
   scene.up = normalize(scene.up);
   check.require(scene.up != Vec3d{}, "no direction is up", "give one that is not 0");
-  if (!scene.camera) return;
-  const Camera& camera = *scene.camera;
-  check.require(is_coordinate(camera.from) && is_coordinate(camera.at) &&
-                    is_coordinate(camera.up) && std::isfinite(camera.fov_deg),
-                "the camera has a number that is not finite and within ±1e15", coordinate_hint);
-  check.require(camera.near >= 0 && camera.near <= largest_coordinate,
-                "the camera's near distance is negative or not finite", "use 0 for none");
-  check.require(camera.width > 0 && camera.height > 0, "the camera's resolution is 0",
-                "use 512 x 512");
+  if (scene.camera) check_camera(*scene.camera, check);
 }
 
 }  // namespace

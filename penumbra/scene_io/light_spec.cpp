@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -182,6 +183,20 @@ std::string degrees_text(float half_angle_rad) {
   return static_cast<float>(back) == half_angle_rad ? text : fmt::format("{:.17g}", degrees);
 }
 
+/// 0 at 90 degrees, which pi cannot express.
+float cosine_of(double degrees) {
+  const double cosine = std::cos(degrees * std::numbers::pi / 180);
+  return std::abs(cosine) < 1e-12 ? 0 : static_cast<float>(cosine);
+}
+
+/// Degrees that read back to this cosine.
+std::string angle_text(float cosine) {
+  const double degrees = std::acos(static_cast<double>(cosine)) * 180 / std::numbers::pi;
+  const std::string text = fmt::format("{:.6g}", degrees);
+  return cosine_of(parse_double(text).value_or(-1)) == cosine ? text
+                                                              : fmt::format("{:.17g}", degrees);
+}
+
 struct Words {
   std::string operator()(const PointLight& l) const { return "point" + words_of(l.center); }
   std::string operator()(const BallLight& l) const {
@@ -209,10 +224,14 @@ struct Words {
 LightSpec parse_light_spec(std::span<const std::string> words) {
   if (words.empty())
     throw Error({}, "a light needs words", "write, for instance, `sphere 0 0 5 1`");
+  const auto own =
+      static_cast<std::size_t>(std::find(words.begin(), words.end(), "beam") - words.begin());
   const Form& form = form_named(words[0]);
-  const std::size_t count = number_count(form, words.subspan(1));
-  const std::vector<double> all = numbers_of(form, count, words.subspan(1));
-  LightSpec spec{checked(form, shape_of(form, std::span(all).first(count))), {}};
+  const std::span<const std::string> of_shape = words.first(own).subspan(1);
+  const std::size_t count = number_count(form, of_shape);
+  const std::vector<double> all = numbers_of(form, count, of_shape);
+  LightSpec spec{checked(form, shape_of(form, std::span(all).first(count))), {}, {}};
+  if (own < words.size()) spec.beam = parse_beam(words.subspan(own + 1), spec.shape);
   if (all.size() == count) return spec;
   spec.intensity = vector_at(all, count);
   const Color c = *spec.intensity;
@@ -222,7 +241,27 @@ LightSpec parse_light_spec(std::span<const std::string> words) {
 
 Light parse_light(std::span<const std::string> words) {
   const LightSpec spec = parse_light_spec(words);
-  return {spec.shape, spec.intensity.value_or(Color{1, 1, 1}), Falloff::none};
+  return {spec.shape, spec.intensity.value_or(Color{1, 1, 1}), Falloff::none, spec.beam};
+}
+
+Beam parse_beam(std::span<const std::string> words, const LightShape& light) {
+  constexpr const char* hint = "write `beam ax ay az full_deg none_deg`";
+  if (words.size() != 5)
+    throw Error({}, fmt::format("a beam takes 5 numbers, but has {}", words.size()), hint);
+  std::vector<double> n;
+  for (const std::string& word : words) {
+    const std::optional<double> value = parse_double(word);
+    if (!value || !std::isfinite(static_cast<float>(*value)))
+      throw Error({}, fmt::format("{} of a beam is no finite number", in_quotes(word)), hint);
+    n.push_back(*value);
+  }
+  if (!(n[3] >= 0 && n[3] <= n[4] && n[4] <= 180))
+    throw Error({}, "a beam's angles are out of order or outside [0, 180] degrees",
+                "give the angle of full light first, then that of none");
+  const Beam beam{direction_at(n, 0), cosine_of(n[3]), cosine_of(n[4])};
+  if (const std::optional<LightProblem> problem = problem_of(beam, light))
+    throw Error({}, fmt::format("the light {}", problem->what), problem->hint);
+  return beam;
 }
 
 std::vector<std::string> split_words(std::string_view text) {
@@ -233,7 +272,13 @@ std::vector<std::string> split_words(std::string_view text) {
 }
 
 std::string light_words(const Light& light) {
-  return std::visit(Words{}, light.shape) + words_of(light.intensity);
+  return std::visit(Words{}, light.shape) + words_of(light.intensity) +
+         (light.beam ? " beam " + beam_words(*light.beam) : "");
+}
+
+std::string beam_words(const Beam& beam) {
+  return fmt::format("{} {} {} {} {}", to_text(beam.axis.x), to_text(beam.axis.y),
+                     to_text(beam.axis.z), angle_text(beam.cos_full), angle_text(beam.cos_none));
 }
 
 }  // namespace penumbra

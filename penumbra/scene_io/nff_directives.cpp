@@ -22,16 +22,24 @@ Color read_color(Tokens& words, std::string_view what) {
   return color;
 }
 
-void add_light(NffState& state, const Token& directive, const std::string& file) {
+/// The words after the first, as `read` takes them; its errors get the directive's place.
+template <typename Read>
+auto read_words(const Token& directive, const std::string& file, Read read) {
   std::vector<std::string> words = split_words(directive.text);
   words.erase(words.begin());
   try {
-    const LightSpec spec = parse_light_spec(words);
-    state.scene.lights.push_back({spec.shape, spec.intensity.value_or(Color{}), Falloff::none});
-    state.light_has_intensity.push_back(spec.intensity.has_value());
+    return read(words);
   } catch (const Error& error) {
     throw Error({file, directive.line, {}}, error.problem, error.hint);
   }
+}
+
+void add_light(NffState& state, const Token& directive, const std::string& file) {
+  const LightSpec spec = read_words(
+      directive, file, [](std::span<const std::string> words) { return parse_light_spec(words); });
+  state.scene.lights.push_back(
+      {spec.shape, spec.intensity.value_or(Color{}), Falloff::none, spec.beam});
+  state.light_has_intensity.push_back(spec.intensity.has_value());
 }
 
 Light& last_light(NffState& state, const Tokens& words, const Token& directive) {
@@ -51,6 +59,35 @@ void set_radius(NffState& state, Tokens& words, const Token& directive) {
     throw Error(words.place(value), "makes no ball of the light before this comment",
                 "give a radius above 0 after a point");
   light.shape = BallLight{*center(light.shape), radius};
+}
+
+void set_beam(NffState& state, Tokens& words, const Token& directive, const Token& line) {
+  Light& light = last_light(state, words, directive);
+  light.beam = read_words(line, words.file(), [&](std::span<const std::string> beam_words) {
+    return parse_beam(beam_words, light.shape);
+  });
+  while (!words.next().text.empty()) {
+  }
+}
+
+Camera& last_view(NffState& state, const Tokens& words, const Token& directive) {
+  if (!state.scene.camera)
+    throw Error(words.place(directive), "there is no view before this comment",
+                "put it after the view that it is about");
+  return *state.scene.camera;
+}
+
+void set_parallel(NffState& state, Tokens& words, const Token& directive) {
+  const Token value = words.peek();
+  const double height = words.number_double("a height");
+  if (!(height > 0)) words.fail(value, "a height above 0");
+  last_view(state, words, directive).parallel_height = height;
+}
+
+void set_window(NffState& state, Tokens& words, const Token& directive) {
+  ImageWindow& window = last_view(state, words, directive).window;
+  for (double* edge : {&window.left, &window.top, &window.right, &window.bottom})
+    *edge = words.number_double("an edge of the window");
 }
 
 void set_material(NffState& state, Tokens& words) {
@@ -75,6 +112,8 @@ void set_material(NffState& state, Tokens& words) {
       if (!(m.refraction_index > 0)) words.fail(value, "a refraction index above 0");
     } else if (key.text == "casts_shadow")
       m.casts_shadow = words.integer("0 or 1") != 0;
+    else if (key.text == "emits_from_back")
+      m.emits_from_back = words.integer("0 or 1") != 0;
     else if (key.text == "name")
       m.name = std::string(words.rest_of_line());
     else
@@ -103,7 +142,8 @@ std::uint32_t current_surface(NffState& state) {
   if (state.surface) return *state.surface;
   const Material& m = state.material;
   const Color colors[] = {m.diffuse, m.highlight, m.mirror, m.transmission, m.emission};
-  const float numbers[] = {m.shininess, m.refraction_index, m.casts_shadow ? 1.0f : 0.0f};
+  const float numbers[] = {m.shininess, m.refraction_index, m.casts_shadow ? 1.0f : 0.0f,
+                           m.emits_from_back ? 1.0f : 0.0f};
   std::string bits(sizeof colors + sizeof numbers, '\0');
   std::memcpy(bits.data(), colors, sizeof colors);
   std::memcpy(bits.data() + sizeof colors, numbers, sizeof numbers);
@@ -129,6 +169,12 @@ void apply_directive(NffState& state, const Token& directive, const std::string&
     const Token value = words.next();
     if (value.text != "inverse_square") words.fail(value, "inverse_square");
     last_light(state, words, name).falloff = Falloff::inverse_square;
+  } else if (name.text == "beam") {
+    set_beam(state, words, name, directive);
+  } else if (name.text == "parallel") {
+    set_parallel(state, words, name);
+  } else if (name.text == "window") {
+    set_window(state, words, name);
   } else if (name.text == "background") {
     set_background(state, words);
   } else if (name.text == "ambient") {

@@ -6,9 +6,12 @@
 //   radius r                  the light before it is a ball
 //   intensity r g b           linear intensity of the light before it, in place of its colour
 //   falloff inverse_square    of the light before it
+//   beam <words>              of the light before it: ax ay az full_deg none_deg, see light_spec.h
 //   background r g b | none   linear, or left to whoever draws
 //   ambient r g b             linear; 0.1 in a file without it
 //   up x y z                  which way is up
+//   parallel height           the view before it has parallel rays, its picture this height
+//   window left top right bottom  the part of the whole picture that the view before it shows
 //   ground                    wants a ground put under it
 //   material <key value ...>  changes the current `f`; the keys are Material's members, linear
 //                             colours, `name` last and to the end of the line

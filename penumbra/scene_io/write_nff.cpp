@@ -101,6 +101,7 @@ std::string material_words(const Material& wanted, const Material& have) {
   if (wanted.refraction_index != have.refraction_index)
     append(out, " refraction_index {}", to_text(wanted.refraction_index));
   if (!wanted.casts_shadow) out += " casts_shadow 0";
+  if (!wanted.emits_from_back) out += " emits_from_back 0";
   if (wanted.name.empty()) return out;
   out += " name ";
   for (const char c : wanted.name) out += c == '\n' || c == '\r' ? ' ' : c;
@@ -139,6 +140,11 @@ void append_surroundings(std::string& out, const Scene& scene) {
   append(out, "v\nfrom {}\nat {}\nup {}\nangle {}\nhither {}\nresolution {} {}\n",
          words_of(camera.from), words_of(camera.at), words_of(camera.up), to_text(camera.fov_deg),
          to_text(camera.near), camera.width, camera.height);
+  if (camera.parallel_height > 0) append(out, "#! parallel {}\n", to_text(camera.parallel_height));
+  const ImageWindow& w = camera.window;
+  if (w.left != 0 || w.top != 0 || w.right != 1 || w.bottom != 1)
+    append(out, "#! window {} {} {} {}\n", to_text(w.left), to_text(w.top), to_text(w.right),
+           to_text(w.bottom));
 }
 
 void append_light(std::string& out, const Light& light, Color shared) {
@@ -149,6 +155,7 @@ void append_light(std::string& out, const Light& light, Color shared) {
     append(out, "l {}", words_of(*center(light.shape)));
     out += light.intensity == shared ? "\n" : " ";
     if (light.intensity != shared) append_display_color(out, light.intensity, "intensity");
+    if (light.beam) append(out, "#! beam {}\n", beam_words(*light.beam));
   }
   // Other programs see a ball as a point, which is better than not at all.
   if (ball != nullptr) append(out, "#! radius {}\n", to_text(ball->radius));

@@ -28,8 +28,8 @@ void CameraRays::of_pixel(std::uint32_t x, std::uint32_t y, std::vector<CameraRa
   for (std::uint32_t s = 0; s < count; ++s) {
     const double right = 2 * (x + double(u[s])) / width_ - 1,
                  down = 2 * (y + double(v[s])) / height_ - 1;
-    const Vec3d direction = frame_.forward + frame_.right * right - frame_.up * down;
-    rays.push_back({frame_.origin + direction * near_, direction, hash(pixel, s)});
+    const CameraLine line = line_at(frame_, right, down);
+    rays.push_back({line.origin + line.direction * near_, line.direction, hash(pixel, s)});
   }
 }
 

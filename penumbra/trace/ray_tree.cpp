@@ -63,18 +63,10 @@ class Trees {
              const std::vector<ShadingPoint>& points, std::size_t first_node) {
     const double start = now_seconds();
     std::vector<Color> sums;
-    std::vector<ShadowQuery> queries(points.size());
     for (const ShadingPoint& point : points)
       sums.push_back(point.material->emission + context_.scene.ambient * point.diffuse);
-    std::vector<Visibility> seen(points.size());
     for (std::uint32_t light = 0; light < context_.scene.lights.size(); ++light) {
-      for (std::size_t k = 0; k < points.size(); ++k)
-        queries[k] = {{points[k].receiver, points[k].normal},
-                      light_key(hash(wave.rays[hits[k]].sample_key, wave.path), light)};
-      visibilities(context_.shadows, light, queries, scratch_.cache.queue(wave.path, light),
-                   scratch_.visibility, scratch_.counters.shadow, seen);
-      if (scratch_.observe && !queries.empty())
-        (*scratch_.observe)({scratch_.block, wave.path, light, queries, seen});
+      const std::vector<Visibility> seen = ask(wave, hits, points, light);
       for (std::size_t k = 0; k < points.size(); ++k) {
         const bool matters = seen[k].cosine_weighted > 0 || nodes_;
         const Color u = matters ? unshadowed(context_.scene.lights[light], points[k]) : Color{};
@@ -87,6 +79,27 @@ class Trees {
     }
     for (std::size_t k = 0; k < points.size(); ++k) add(wave, hits[k], sums[k]);
     scratch_.shadow_seconds += now_seconds() - start;
+  }
+
+  /// How much of a light each point sees. No question is asked, whatever the method, where the
+  /// light's beam sends nothing.
+  std::vector<Visibility> ask(const Wave& wave, const std::vector<std::uint32_t>& hits,
+                              const std::vector<ShadingPoint>& points, std::uint32_t light) {
+    std::vector<std::size_t> asked;
+    std::vector<ShadowQuery> queries;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (!(beam_factor(context_.scene.lights[light], points[k].receiver) > 0)) continue;
+      asked.push_back(k);
+      queries.push_back({{points[k].receiver, points[k].normal},
+                         light_key(hash(wave.rays[hits[k]].sample_key, wave.path), light)});
+    }
+    std::vector<Visibility> answers(queries.size()), seen(points.size());
+    visibilities(context_.shadows, light, queries, scratch_.cache.queue(wave.path, light),
+                 scratch_.visibility, scratch_.counters.shadow, answers);
+    if (scratch_.observe && !queries.empty())
+      (*scratch_.observe)({scratch_.block, wave.path, light, queries, answers});
+    for (std::size_t i = 0; i < asked.size(); ++i) seen[asked[i]] = answers[i];
+    return seen;
   }
 
   /// The next two waves. Total reflection carries what would have gone through.

@@ -48,5 +48,34 @@ TEST(Camera, UnitOfLengthDoesNotMatter) {
   }
 }
 
+TEST(Camera, ParallelRaysStartAcrossThePicture) {
+  Camera camera;
+  camera.from = {0, -4, 0}, camera.at = {}, camera.parallel_height = 3;
+  const CameraFrame f = frame(camera, 2);
+  const CameraLine left = line_at(f, -1, 0), top = line_at(f, 0, -1);
+  EXPECT_NEAR(length(left.origin - Vec3d{-3, -4, 0}), 0, 1e-12);
+  EXPECT_NEAR(length(top.origin - Vec3d{0, -4, 1.5}), 0, 1e-12);
+  EXPECT_EQ(left.direction, (Vec3d{0, 1, 0}));
+  EXPECT_EQ(top.direction, (Vec3d{0, 1, 0}));
+}
+
+TEST(Camera, TheWholePictureHasTheAspectThatFitsTheWindow) {
+  Camera camera;
+  camera.from = {0, -4, 0}, camera.at = {}, camera.fov_deg = 90;
+  // The right half of a whole that is as wide as high, in a picture half as wide as high.
+  camera.window = {0.5, 0, 1, 1};
+  const CameraFrame f = frame(camera, 0.5);
+  EXPECT_NEAR(length(line_at(f, -1, 0).direction - Vec3d{0, 1, 0}), 0, 1e-12);
+  EXPECT_NEAR(length(line_at(f, 1, 0).direction - Vec3d{1, 1, 0}), 0, 1e-12);
+  EXPECT_NEAR(length(line_at(f, 1, -1).direction - Vec3d{1, 1, 1}), 0, 1e-12);
+}
+
+TEST(Camera, AWindowTheOtherWayRoundMirrors) {
+  Camera camera;
+  camera.from = {0, -4, 0}, camera.at = {}, camera.fov_deg = 90;
+  camera.window = {1, 0, 0, 1};
+  EXPECT_NEAR(length(line_at(frame(camera, 1), 1, 0).direction - Vec3d{-1, 1, 0}), 0, 1e-12);
+}
+
 }  // namespace
 }  // namespace penumbra

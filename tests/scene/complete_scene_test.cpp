@@ -155,6 +155,20 @@ TEST(CompleteScene, OptionsOverrideOnlyTheirPartOfTheCamera) {
   EXPECT_EQ(moved.camera->fov_deg, 60);
 }
 
+TEST(CompleteScene, OnlyAFieldOfViewMakesAParallelCameraPerspective) {
+  Scene scene = box_scene({-1, -1, -1}, {1, 1, 1});
+  Camera camera;
+  camera.parallel_height = 3, camera.window = {1, 0, 0, 1};
+  scene.camera = camera;
+  SceneOptions options;
+  options.from = Vec3d{5, 5, 5}, options.at = Vec3d{0, 0, 0.5}, options.up = Vec3d{0, 1, 0};
+  EXPECT_EQ(complete_scene(scene, options).camera->parallel_height, 3);
+  EXPECT_EQ(complete_scene(scene, options).camera->window.left, 1);
+  options.fov_deg = 30;
+  EXPECT_EQ(complete_scene(scene, options).camera->parallel_height, 0);
+  EXPECT_EQ(complete_scene(scene, options).camera->window.left, 1);
+}
+
 TEST(CompleteScene, GroundGoesWhereItIsTold) {
   SceneOptions options;
   options.ground = GroundChoice::none;

@@ -194,9 +194,33 @@ TEST(Validate, MeshLightsMustBeClosedConvexAndOutward) {
             "");
 }
 
+TEST(Validate, BeamsHaveAnAxisAndAnglesInOrder) {
+  const auto problem_of_beam = [](std::size_t light, Beam beam) {
+    return problem_after([&](Scene& s) { s.lights[light].beam = beam; });
+  };
+  EXPECT_EQ(problem_of_beam(0, {{0, 0, 3}, 0.5f, 0.25f}), "");
+  EXPECT_EQ(problem_of_beam(3, {{0, 0, -1}, 0, 0}), "");
+  EXPECT_NE(problem_of_beam(0, {{0, 0, 0}, 0.5f, 0.25f}), "");
+  EXPECT_NE(problem_of_beam(0, {{0, 0, nan}, 0.5f, 0.25f}), "");
+  EXPECT_NE(problem_of_beam(0, {{0, 0, 1}, 0.25f, 0.5f}), "");
+  EXPECT_NE(problem_of_beam(0, {{0, 0, 1}, 1.5f, 0.5f}), "");
+  EXPECT_NE(problem_of_beam(0, {{0, 0, 1}, nan, 0.5f}), "");
+  EXPECT_NE(problem_of_beam(7, {{0, 0, 1}, 0.5f, 0.25f}), "");
+  Scene scene = good_scene();
+  scene.lights[0].beam = Beam{{0, 0, 3}, 0.5f, 0.25f};
+  validate(scene);
+  EXPECT_EQ(scene.lights[0].beam->axis, Vec3f(0, 0, 1));
+}
+
 TEST(Validate, CameraNumbersMustBeFinite) {
   EXPECT_NE(problem_after([](Scene& s) { s.camera->fov_deg = nan; }), "");
   EXPECT_NE(problem_after([](Scene& s) { s.camera->near = -1; }), "");
+  EXPECT_NE(problem_after([](Scene& s) { s.camera->parallel_height = -1; }), "");
+  EXPECT_NE(problem_after([](Scene& s) { s.camera->parallel_height = infinity; }), "");
+  EXPECT_NE(problem_after([](Scene& s) { s.camera->window.left = nan; }), "");
+  EXPECT_NE(problem_after([](Scene& s) { s.camera->window.right = 0; }), "");
+  EXPECT_NE(problem_after([](Scene& s) { s.camera->window.bottom = 1e9; }), "");
+  EXPECT_EQ(problem_after([](Scene& s) { s.camera->window = {1, 0.5, -2, 0}; }), "");
   EXPECT_NE(problem_after([](Scene& s) { s.camera->width = 0; }), "");
   EXPECT_NE(problem_after([](Scene& s) { s.up = {0, 0, 0}; }), "");
 }

@@ -48,6 +48,23 @@ TEST(LightSpec, says_what_is_wrong) {
   EXPECT_TRUE(holds(error_for("point 0 0 0 1 -1 1"), "below 0"));
 }
 
+TEST(LightSpec, knows_beams) {
+  const Light spot = parse("point 1 2 3 0.5 0.5 0.5 beam 0 0 -2 30 60");
+  EXPECT_EQ(spot.intensity, Color(0.5f, 0.5f, 0.5f));
+  ASSERT_TRUE(spot.beam);
+  EXPECT_EQ(spot.beam->axis, Vec3f(0, 0, -1));
+  EXPECT_FLOAT_EQ(spot.beam->cos_full, std::sqrt(0.75f));
+  EXPECT_FLOAT_EQ(spot.beam->cos_none, 0.5f);
+  EXPECT_EQ(light_words(spot), "point 1 2 3 0.5 0.5 0.5 beam 0 0 -1 30 60");
+  // A right angle is exactly one.
+  EXPECT_EQ(parse("disk 0 0 5 0 0 -1 1 beam 0 0 -1 90 90").beam->cos_none, 0);
+  EXPECT_TRUE(holds(error_for("point 0 0 0 beam 0 0 1 30"), "takes 5 numbers, but has 4"));
+  EXPECT_TRUE(holds(error_for("point 0 0 0 beam 0 0 0 30 40"), "beam without direction"));
+  EXPECT_TRUE(holds(error_for("point 0 0 0 beam 0 0 1 40 30"), "out of order"));
+  EXPECT_TRUE(holds(error_for("point 0 0 0 beam 0 0 1 x 30"), "`x` of a beam"));
+  EXPECT_TRUE(holds(error_for("sun 0 0 1 5 beam 0 0 1 20 30"), "a sun with a beam"));
+}
+
 TEST(LightSpec, knows_disks_lines_polygons_and_meshes) {
   const auto disk = std::get<DiskLight>(parse("disk 1 2 3 0 0 -7 0.5").shape);
   EXPECT_EQ(disk.center, Vec3f(1, 2, 3));

@@ -52,6 +52,7 @@ void expect_equal(const Material& a, const Material& b) {
   EXPECT_EQ(a.refraction_index, b.refraction_index);
   EXPECT_EQ(a.emission, b.emission);
   EXPECT_EQ(a.casts_shadow, b.casts_shadow);
+  EXPECT_EQ(a.emits_from_back, b.emits_from_back);
 }
 
 /// Corner by corner: vertices come back in the order of their use.
@@ -79,6 +80,11 @@ void expect_equal(const Scene& a, const Scene& b) {
     EXPECT_EQ(light_words(a.lights[i]), light_words(b.lights[i]));
     EXPECT_EQ(a.lights[i].intensity, b.lights[i].intensity);
     EXPECT_EQ(a.lights[i].falloff, b.lights[i].falloff);
+    ASSERT_EQ(a.lights[i].beam.has_value(), b.lights[i].beam.has_value());
+    if (!a.lights[i].beam) continue;
+    EXPECT_EQ(a.lights[i].beam->axis, b.lights[i].beam->axis);
+    EXPECT_EQ(a.lights[i].beam->cos_full, b.lights[i].beam->cos_full);
+    EXPECT_EQ(a.lights[i].beam->cos_none, b.lights[i].beam->cos_none);
   }
   ASSERT_EQ(a.camera.has_value(), b.camera.has_value());
   if (a.camera) {
@@ -87,6 +93,11 @@ void expect_equal(const Scene& a, const Scene& b) {
     EXPECT_EQ(a.camera->up, b.camera->up);
     EXPECT_EQ(a.camera->fov_deg, b.camera->fov_deg);
     EXPECT_EQ(a.camera->near, b.camera->near);
+    EXPECT_EQ(a.camera->parallel_height, b.camera->parallel_height);
+    EXPECT_EQ(a.camera->window.left, b.camera->window.left);
+    EXPECT_EQ(a.camera->window.top, b.camera->window.top);
+    EXPECT_EQ(a.camera->window.right, b.camera->window.right);
+    EXPECT_EQ(a.camera->window.bottom, b.camera->window.bottom);
     EXPECT_EQ(a.camera->width, b.camera->width);
     EXPECT_EQ(a.camera->height, b.camera->height);
   }
@@ -142,6 +153,7 @@ Scene noisy_scene() {
                noise.color(),
                noise.positive(),
                noise.color(),
+               i % 4 != 0,
                -1,
                i % 3 != 0};
     scene.materials.push_back(m);
@@ -171,7 +183,18 @@ Scene noisy_scene() {
   floor.surface = 4;
   floor.is_backdrop = true;
   scene.shapes.meshes.push_back(floor);
-  scene.camera = Camera{{1.0 / 3, -4, 1}, {0, 0.1, 0}, {0, 1e-9, 1}, 44.4444444, 0.01, 320, 200};
+  for (std::size_t i = 0; i + 1 < scene.lights.size(); i += 2)  // the last is the sun
+    scene.lights[i].beam = Beam{normalize(noise.vector()), 0.1f / static_cast<float>(i + 1),
+                                i % 4 == 0 ? 0 : -0.123456f};
+  scene.camera = Camera{.from = {1.0 / 3, -4, 1},
+                        .at = {0, 0.1, 0},
+                        .up = {0, 1e-9, 1},
+                        .fov_deg = 44.4444444,
+                        .parallel_height = 1.0 / 7,
+                        .window = {-0.1, 1.0 / 3, 0.75, 0},
+                        .near = 0.01,
+                        .width = 320,
+                        .height = 200};
   scene.background = noise.color();
   scene.ambient = noise.color();
   scene.up = normalize(Vec3d(1, 2, 3));

@@ -101,6 +101,19 @@ TEST_P(IdentityUnder, ALightOfThisShape) {
   expect_identity_of_single_rays(with_lights(built_in("rings"), GetParam(), 1.5f), picture(32, 40));
 }
 
+TEST(IdentityUnderBeams, OfASceneLitInParts) {
+  Scene scene = built_in("rings");
+  for (const char* kind : {"point", "ball", "disk"}) {
+    scene = with_lights(scene, kind, 1);
+    for (Light& light : scene.lights) {
+      const Vec3f axis = -towards_center(light.shape, Vec3f(object_bounds(scene.shapes).center()));
+      light.beam = Beam{normalize(axis), 0.995f, 0.98f};
+    }
+    scene.camera->parallel_height = 2 * object_bounds(scene.shapes).largest_extent();
+    expect_identity(scene, picture(48, 8));
+  }
+}
+
 class SlowIdentity : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
 INSTANTIATE_TEST_SUITE_P(Matrix, SlowIdentity,
                          testing::Combine(testing::Values("balls:3", "rings", "molecule",

@@ -85,7 +85,10 @@ struct OnePixel {
     material.diffuse = {0.5f, 0.5f, 0.5f};
     scene.materials = {material};
     scene.lights = {{BallLight{{0, 0, 10}, 0.5f}, {2, 2, 2}, Falloff::none}};
-    scene.camera = Camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1, 0, 1, 1};
+    Camera camera;
+    camera.from = {0, 0, 5}, camera.up = {0, 1, 0}, camera.fov_deg = 1;
+    camera.width = camera.height = 1;
+    scene.camera = camera;
     scene.background = Color{0.25f, 0.5f, 1};
     options.width = options.height = 1;
   }
@@ -118,11 +121,102 @@ TEST(OnePixel, InverseSquareFalloff) {
   EXPECT_NEAR(one.color().x, 0.5 * 2 / 81, 1e-6);
 }
 
+TEST(OnePixel, BeamsFadeByTheAngleAtTheLight) {
+  OnePixel one;
+  const float full = std::cos(0.1f), none = std::cos(0.3f);
+  const auto turned = [&](double angle) {  // the beam points so far away from the pixel
+    const Vec3d axis{std::sin(angle), 0, -std::cos(angle)};
+    one.scene.lights[0].beam = Beam{Vec3f(axis), full, none};
+    return one.color().x;
+  };
+  EXPECT_NEAR(turned(0), 1, 1e-5);
+  EXPECT_NEAR(turned(0.099), 1, 1e-5);
+  const double x = (std::cos(0.2) - std::cos(0.3)) / (std::cos(0.1) - std::cos(0.3));
+  EXPECT_NEAR(turned(0.2), x * x * (3 - 2 * x), 1e-4);
+  EXPECT_EQ(turned(0.301), 0);
+  EXPECT_EQ(turned(3), 0);
+}
+
+TEST(OnePixel, OneSidedLightsShineFromTheirFrontAlone) {
+  OnePixel one;
+  one.scene.lights[0].shape = DiskLight{{0, 0, 10}, {0, 0, 1}, 0.1f};
+  EXPECT_NEAR(one.color().x, 1, 1e-3);
+  one.scene.lights[0].beam = Beam{{0, 0, -1}, 0, 0};
+  EXPECT_NEAR(one.color().x, 1, 1e-3);
+  one.scene.lights[0].beam->axis = {0, 0, 1};
+  EXPECT_EQ(one.color().x, 0);
+}
+
+TEST(OnePixel, OutsideOfItsBeamALightIsNotAskedFor) {
+  OnePixel one;
+  one.options.aovs = {Aov::light_class, Aov::visibility};
+  one.scene.lights[0].beam = Beam{{0, 0, 1}, 0, 0};
+  for (const Method method : {Method::hard, Method::stochastic, Method::umbra, Method::shaft}) {
+    const Picture picture = picture_of(one.scene, one.options, method);
+    EXPECT_EQ(find_channel(picture.image, "class.light0")->values[0], 2);
+    EXPECT_EQ(find_channel(picture.image, "visibility.light0")->values[0], 0);
+    const ShadowCounters& shadow = picture.counters.shadow;
+    EXPECT_EQ(shadow.lit + shadow.penumbra + shadow.umbra + shadow.rays, 0u);
+  }
+}
+
 TEST(OnePixel, ShadowLeavesAmbientAlone) {
   OnePixel one;
   one.scene.ambient = {0.1f, 0.1f, 0.1f};
   one.scene.shapes.spheres.push_back({{0, 0, 8}, 1, 0});  // behind the camera, before the light
   EXPECT_NEAR(one.color().x, 0.05, 1e-6);
+}
+
+/// Which pixels of a row show the sphere, as `#` and `.`.
+std::string row_of_pixels(OnePixel one, std::uint32_t width) {
+  one.scene.background = Color{3, 3, 3};
+  one.options.width = width;
+  const Picture picture = picture_of(one.scene, one.options);
+  std::string row;
+  for (const float blue : picture.image.channels[2].values) row += blue == 3 ? '.' : '#';
+  return row;
+}
+
+TEST(ParallelCamera, SeesASphereAsLargeFromAnywhere) {
+  OnePixel one;
+  one.scene.camera->parallel_height = 0.5;
+  for (const double distance : {1.5, 5.0, 1000.0}) {
+    one.scene.camera->from = {0, 0, distance};
+    EXPECT_EQ(row_of_pixels(one, 20), "........####........") << distance;
+  }
+}
+
+TEST(ParallelCamera, NearCutsWhatIsCloser) {
+  OnePixel one;
+  one.scene.camera->parallel_height = 0.1;
+  one.options.aovs = {Aov::depth};
+  const auto depth = [&](double near) {
+    one.scene.camera->near = near;
+    return find_channel(picture_of(one.scene, one.options).image, "depth.Z")->values[0];
+  };
+  EXPECT_NEAR(depth(0), 4, 0.01);
+  EXPECT_NEAR(depth(4.5), 6, 0.01);
+  EXPECT_TRUE(std::isinf(depth(6.5)));
+}
+
+TEST(WindowOfACamera, ShowsWhatTheWholePictureHasThere) {
+  OnePixel one;
+  one.scene.camera->fov_deg = 3;
+  one.scene.shapes.spheres[0].center = {0.5, 0, 0};
+  for (const double height : {0.0, 0.2}) {
+    one.scene.camera->parallel_height = height;
+    one.scene.camera->window = {};
+    const std::string whole = row_of_pixels(one, 40);
+    EXPECT_NE(whole.find('#'), whole.npos);
+    one.scene.camera->window = {0.5, 0, 1, 1};
+    EXPECT_EQ(row_of_pixels(one, 20), whole.substr(20));
+    one.scene.camera->window = {0.25, 0, 0.75, 1};
+    EXPECT_EQ(row_of_pixels(one, 20), whole.substr(10, 20));
+    one.scene.camera->window = {1, 0, 0, 1};
+    EXPECT_EQ(row_of_pixels(one, 40), std::string(whole.rbegin(), whole.rend()));
+    one.scene.camera->window = {-0.5, 0, 1, 1};
+    EXPECT_EQ(row_of_pixels(one, 60).substr(20), whole);
+  }
 }
 
 TEST(OnePixel, HalfHiddenLightGivesHalfOnAverage) {
