@@ -11,6 +11,7 @@
 #include "penumbra/scene/coordinates.h"
 #include "penumbra/scene/error.h"
 #include "penumbra/scene/scene.h"
+#include "penumbra/scene/settle_instances.h"
 
 namespace penumbra {
 
@@ -166,26 +167,17 @@ bool is_quadric_free(const ShapeSet& shapes) {
   return shapes.spheres.empty() && shapes.cones.empty() && shapes.rings.empty();
 }
 
-/// Entries that float and its squares can deal with: see `make_placement`.
-bool is_moderate(const Transform& map) {
-  for (const Vec3d& axis : {map.x_axis, map.y_axis, map.z_axis})
-    for (int i = 0; i < 3; ++i)
-      if (const double size = std::abs(axis[i]); !(size == 0 || (size >= 1e-15 && size <= 1e15)))
-        return false;
-  return determinant(map) != 0;
-}
-
 /// Instances that place something, as the kernel can have it.
 void check_instances(ShapeSet& shapes, const Checker& check) {
   for (std::size_t i = 0; i < shapes.instances.size(); ++i) {
     const auto& [group, map] = shapes.instances[i];
     check.require(group < shapes.groups.size(), "instance", i, "places a group that does not exist",
                   "number groups from 0");
-    check.require(is_coordinate(map.offset) && is_moderate(map), "instance", i,
-                  "has a placement that flattens, or has numbers that are 0 or beyond 1e15",
-                  "flatten the scene");
+    check.require(is_coordinate(map.offset) && can_place(map), "instance", i,
+                  "has a placement that flattens, or numbers below 1e-15 or beyond 1e15",
+                  "use settle_instances");
     check.require(is_quadric_free(shapes.groups[group]) || similarity_scale(map) > 0, "instance", i,
-                  "bends spheres, cones or rings", "tessellate them");
+                  "stretches spheres, cones or rings", "use settle_instances");
   }
   std::erase_if(shapes.instances, [&](const Instance& instance) {
     return own_primitive_count(shapes.groups[instance.group]) == 0;

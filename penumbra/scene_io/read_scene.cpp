@@ -8,6 +8,7 @@
 
 #include <string_view>
 
+#include "penumbra/scene/settle_instances.h"
 #include "penumbra/scene_io/source.h"
 
 namespace penumbra {
@@ -98,6 +99,16 @@ void warn_of_lost_digits(const Scene& scene, Warnings& warnings) {
 
 }  // namespace
 
+namespace {
+
+void settle(Scene& scene, Warnings& warnings) {
+  if (const std::size_t count = settle_instances(scene.shapes).stretched; count > 0)
+    warnings.add(fmt::format("{} round shape{} stretched by instances: drawn as meshes", count,
+                             count == 1 ? " is" : "s are"));
+}
+
+}  // namespace
+
 SceneFile read_scene(const std::filesystem::path& path, const ReadOptions& options) {
   Source source = load(path);
   Warnings warnings(path.string());
@@ -107,6 +118,7 @@ SceneFile read_scene(const std::filesystem::path& path, const ReadOptions& optio
   SceneFile file;
   file.scene = read(source, format, options, warnings);
   file.scene.name = path.string();
+  settle(file.scene, warnings);
   const ValidationReport report = validate(file.scene);
   if (const std::size_t count = report.degenerate_triangles; count > 0)
     warnings.add(

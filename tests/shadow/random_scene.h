@@ -7,6 +7,7 @@
 
 #include "penumbra/geometry/surface_point.h"
 #include "penumbra/shadow/visibility.h"
+#include "tests/kernel/nasty_instances.h"
 #include "tests/shadow/light_kinds.h"
 #include "tests/shadow/nasty_meshes.h"
 #include "tests/shadow/shape_forms.h"
@@ -38,22 +39,35 @@ inline void make_some_clear(ShapeSet& shapes, Random& random) {
       for (std::size_t t = 0; t < mesh.triangles.size(); ++t) mesh.surfaces.push_back(clear());
 }
 
+/// As they are, or as a group that is placed a few times.
+inline void add(ShapeSet&& shapes, RandomScene& scene, Random& random) {
+  if (random.one_in(3)) make_some_clear(shapes, random);
+  if (random.one_in(4) && own_primitive_count(shapes) > 0)
+    add_group(std::move(shapes), scene.place, random, scene.shapes);
+  else
+    append(std::move(shapes), scene.shapes);
+}
+
 inline RandomScene random_scene(Random& random) {
   RandomScene scene;
   scene.place = random_place(random);
   for (std::uint32_t i = 0, forms = 1 + random.below(4); i < forms; ++i) {
     const ShapeForm& form = shape_forms[random.below(shape_forms.size())];
+    ShapeSet some;
     for (std::uint32_t k = 0, shapes = 1 + random.below(8); k < shapes; ++k)
-      append(random_shape(form, scene.place, random), scene.shapes);
+      append(random_shape(form, scene.place, random), some);
+    add(std::move(some), scene, random);
   }
   if (random.one_in(2))
-    if (Mesh mesh = nasty_mesh(scene.place, random); !mesh.triangles.empty())
-      scene.shapes.meshes.push_back(std::move(mesh));
-  if (random.one_in(3)) make_some_clear(scene.shapes, random);
+    if (Mesh mesh = nasty_mesh(scene.place, random); !mesh.triangles.empty()) {
+      ShapeSet one;
+      one.meshes.push_back(std::move(mesh));
+      add(std::move(one), scene, random);
+    }
   for (std::uint32_t i = 0, lights = 1 + random.below(3); i < lights; ++i) {
     const std::vector<ShapeRef> refs = all_primitives(scene.shapes);
     Vec3f at = scene.place(random_point(random) * random.uniform(0.2f, 4));
-    if (random.one_in(5))  // in a shape, or next to it
+    if (!refs.empty() && random.one_in(5))  // in a shape, or next to it
       at = point_of_interest(scene.shapes, refs[random.below(std::uint32_t(refs.size()))], random) +
            random.in_cube() * (scene.place.scale * random.power(-6, 0));
     const double size = double(scene.place.scale * random.power(-3, 0.5f));

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "penumbra/scene/settle_instances.h"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "penumbra/geometry/placed_shape.h"
+#include "penumbra/geometry/tessellation.h"
+#include "penumbra/scene/error.h"
+
+namespace penumbra {
+namespace {
+
+constexpr std::size_t few_primitives = 4;
+constexpr std::size_t most_flat_primitives = std::size_t{1} << 24;
+constexpr int segments = 48;
+
+std::size_t quadric_count(const ShapeSet& shapes) {
+  return shapes.spheres.size() + shapes.cones.size() + shapes.rings.size();
+}
+
+ShapeSet without_quadrics(const ShapeSet& group) {
+  ShapeSet meshes;
+  meshes.meshes = group.meshes;
+  for (const Sphere& sphere : group.spheres) meshes.meshes.push_back(tessellated(sphere, segments));
+  for (const Cone& cone : group.cones) meshes.meshes.push_back(tessellated(cone, segments));
+  for (const Ring& ring : group.rings) meshes.meshes.push_back(tessellated(ring, segments));
+  return meshes;
+}
+
+/// The similarity that a map is, to what text in six digits says of it.
+std::optional<Transform> as_similarity(const Transform& map) {
+  if (similarity_scale(map) > 0) return map;
+  const Transform near = nearest_similarity(map);
+  const double tolerance = 1e-5 * length(near.x_axis);
+  for (const Vec3d off :
+       {near.x_axis - map.x_axis, near.y_axis - map.y_axis, near.z_axis - map.z_axis})
+    if (!(length(off) <= tolerance)) return {};
+  return near;
+}
+
+/// Where groups go, one instance after the other.
+class Settler {
+ public:
+  explicit Settler(ShapeSet& shapes)
+      : shapes_(shapes), uses_(shapes.groups.size()), twin_(shapes.groups.size()) {
+    for (const Instance& instance : shapes.instances) ++uses_[instance.group];
+  }
+
+  SettledInstances settle() {
+    for (Instance instance : std::exchange(shapes_.instances, {})) {
+      const std::size_t uses = uses_[instance.group];
+      if (quadric_count(shapes_.groups[instance.group]) > 0) {
+        if (const auto similarity = as_similarity(instance.placement))
+          instance.placement = *similarity;
+        else
+          instance.group = twin_of(instance.group);
+      }
+      settle(instance, uses);
+    }
+    drop_unused();
+    return done_;
+  }
+
+ private:
+  void settle(const Instance& instance, std::size_t uses) {
+    const ShapeSet& group = shapes_.groups[instance.group];
+    const std::size_t count = own_primitive_count(group);
+    const bool is_placeable = can_place(instance.placement);
+    if (is_placeable && uses > 1 && count > few_primitives) {
+      shapes_.instances.push_back(instance);
+      return;
+    }
+    if (!is_placeable && (flat_ += count) > most_flat_primitives)
+      throw Error({}, "instances that are flattened hold more than 16 million primitives",
+                  "leave them out");
+    add_placed(shapes_, group, instance.placement);
+    ++done_.expanded;
+  }
+
+  std::uint32_t twin_of(std::uint32_t group) {
+    if (!twin_[group]) {
+      done_.stretched += quadric_count(shapes_.groups[group]);
+      twin_[group] = static_cast<std::uint32_t>(shapes_.groups.size());
+      shapes_.groups.push_back(without_quadrics(shapes_.groups[group]));
+    }
+    return *twin_[group];
+  }
+
+  void drop_unused() {
+    std::vector<std::optional<std::uint32_t>> number(shapes_.groups.size());
+    std::vector<ShapeSet> used;
+    for (Instance& instance : shapes_.instances) {
+      if (!number[instance.group]) {
+        number[instance.group] = static_cast<std::uint32_t>(used.size());
+        used.push_back(std::move(shapes_.groups[instance.group]));
+      }
+      instance.group = *number[instance.group];
+    }
+    shapes_.groups = std::move(used);
+  }
+
+  ShapeSet& shapes_;
+  std::vector<std::size_t> uses_;
+  std::vector<std::optional<std::uint32_t>> twin_;
+  SettledInstances done_;
+  std::size_t flat_ = 0;
+};
+
+}  // namespace
+
+bool can_place(const Transform& map) {
+  for (const Vec3d& axis : {map.x_axis, map.y_axis, map.z_axis})
+    for (int i = 0; i < 3; ++i)
+      if (const double size = std::abs(axis[i]); !(size == 0 || (size >= 1e-15 && size <= 1e15)))
+        return false;
+  return determinant(map) != 0;
+}
+
+SettledInstances settle_instances(ShapeSet& shapes) { return Settler(shapes).settle(); }
+
+}  // namespace penumbra
