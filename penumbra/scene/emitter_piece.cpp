@@ -135,17 +135,6 @@ bool is_flat_shape(const LightShape& shape) {
          std::holds_alternative<DiskLight>(shape) || std::holds_alternative<PolygonLight>(shape);
 }
 
-/// Intensities: of flat shapes along their normal, of others the mean over all directions. Half of
-/// the directions get all of it where it shines to the front.
-Light with_power(LightShape shape, const EmitterPiece& piece) {
-  const bool is_front = piece.shines == Shines::front;
-  double part = is_flat_shape(shape) ? 0.5 : 0.25;
-  if (is_front) part *= 2;
-  Light light{std::move(shape), Color(piece.power * part), Falloff::inverse_square, {}};
-  if (is_front) light.beam = Beam{Vec3f(piece.axis), 0, 0};
-  return light;
-}
-
 /// Of what has no shape that a light could have.
 LightShape thin_shape(const Extents& e) {
   constexpr double row = 4;
@@ -195,6 +184,17 @@ EmitterPiece piece_of(std::span<const GlowingTriangle> triangles, Sides sides, V
   if (sides == Sides::front && length(normal) > least_share * area)
     piece.shines = Shines::front, piece.axis = normalize(normal);
   return piece;
+}
+
+Light with_power(LightShape shape, const EmitterPiece& piece) {
+  // Intensities: of flat shapes along their normal, of others the mean over all directions. Half of
+  // the directions get all of it where it shines to the front.
+  const bool is_front = piece.shines == Shines::front;
+  double part = is_flat_shape(shape) ? 0.5 : 0.25;
+  if (is_front) part *= 2;
+  Light light{std::move(shape), Color(piece.power * part), Falloff::inverse_square, {}};
+  if (is_front) light.beam = Beam{Vec3f(piece.axis), 0, 0};
+  return light;
 }
 
 std::optional<Light> light_of(const EmitterPiece& piece) {

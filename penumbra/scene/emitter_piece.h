@@ -32,6 +32,9 @@ struct EmitterPiece {
 /// their normals, on the whole, have one.
 EmitterPiece piece_of(std::span<const GlowingTriangle> triangles, Sides sides, Vec3d power);
 
+/// A light of this shape and the piece's power. It shines to the front alone where the piece does.
+Light with_power(LightShape shape, const EmitterPiece& piece);
+
 /// The light of a piece: ball, parallelogram, disk (of regular polygons of 16 and more corners),
 /// polygon of at most 16 corners, or hull of at most 32; a line, ball or none where these would be
 /// too thin for what `problem_of` asks. Its power is the piece's.

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "penumbra/geometry/centroid.h"
@@ -15,22 +16,26 @@
 #include "penumbra/geometry/reduced_hull.h"
 #include "penumbra/scene/cut_triangles.h"
 #include "penumbra/scene/emitter_flat.h"
+#include "penumbra/scene/far_field.h"
+#include "penumbra/scene/silhouette.h"
 
 namespace penumbra {
 namespace {
 
-/// Of its length: how deep, in the mean, a part may lie below its hull.
-constexpr double deep_enough_to_cut = 0.01;
+/// Of the silhouettes of its hull: how much a part may leave empty.
+constexpr double empty_enough_to_cut = 0.05;
 /// Of its light: how much a part's light may send elsewhere.
 constexpr double wrong_enough_to_cut = 0.12;
-/// Cuts are tried out on so many triangles.
-constexpr std::size_t most_tried = 300;
+/// Cuts are tried out on so many triangles, of corners moved to the points of a lattice.
+constexpr std::size_t most_tried = 3000;
+constexpr double lattice = 20;
+constexpr std::size_t most_tried_corners = 48;
 
 using Triangles = std::vector<GlowingTriangle>;
 
 struct Part {
   Triangles triangles;
-  EmitterPiece piece;
+  Triangles coarse;  ///< to judge it by: the same, or fewer
   double fault = 0;  ///< of the light it makes; up to 1 is good enough
 };
 
@@ -46,37 +51,49 @@ double area_of(std::span<const GlowingTriangle> triangles) {
   return sum;
 }
 
-/// Of the surface, in the mean, below the hull of points; over its length.
-double mean_depth(std::span<const GlowingTriangle> triangles, std::span<const Vec3f> points) {
-  const std::optional<MeshLight> hull = convex_hull(points);
-  if (!hull) return 0;
-  const std::vector<HalfSpace> planes = face_planes(*hull);
-  Box box;
-  for (const Vec3f p : points) box.add(p);
-  double sum = 0, area = 0;
-  const std::size_t step = triangles.size() / most_tried + 1;
-  for (std::size_t i = 0; i < triangles.size(); i += step) {
-    const GlowingTriangle& t = triangles[i];
-    const Vec3d middle = (Vec3d(t[0]) + Vec3d(t[1]) + Vec3d(t[2])) / 3.0;
-    double depth = std::numeric_limits<double>::infinity();
-    for (const HalfSpace& plane : planes)
-      depth = std::min(depth, plane.offset - dot(plane.normal, middle));
-    sum += std::max(0.0, depth) * area_of(t);
-    area += area_of(t);
-  }
-  return sum / (area * length(Vec3d(box.hi) - Vec3d(box.lo)));
+/// The light that a part would be, roughly: its corners are few, and its intensity 1.
+double fault_of(std::span<const GlowingTriangle> triangles, const Glow& glow) {
+  EmitterPiece piece = piece_of(triangles, glow.sides, Vec3d(1, 1, 1));
+  const double all = total(piece.field);
+  const std::optional<MeshLight> hull =
+      convex_hull(extreme_points(piece.points, most_tried_corners));
+  if (!hull || !(all > 0)) return 0;
+  const double empty = empty_part(triangles, *hull);
+  const double wrong = misdirected(piece.field, field_of(with_power(*hull, piece))) / all;
+  return std::max(empty / empty_enough_to_cut, wrong / wrong_enough_to_cut);
 }
 
-Part part_of(Triangles triangles, const Glow& glow) {
-  Part part;
-  part.piece = piece_of(triangles, glow.sides, glow.power_per_area * area_of(triangles));
-  const std::optional<Light> light = light_of(part.piece);
-  const double all = total(part.piece.field);
-  const double wrong = light && all > 0 ? misdirected(part.piece.field, field_of(*light)) / all : 0;
-  part.fault = std::max(mean_depth(triangles, part.piece.points) / deep_enough_to_cut,
-                        wrong / wrong_enough_to_cut);
-  part.triangles = std::move(triangles);
-  return part;
+/// With corners moved to the points of a lattice; what has no area there is left out
+/// (J. Rossignac, P. Borrel, Multi-resolution 3D approximations for rendering, 1993).
+Triangles coarse(const Triangles& triangles) {
+  if (triangles.size() <= most_tried) return triangles;
+  Box box;
+  for (const GlowingTriangle& t : triangles)
+    for (const Vec3f p : t) box.add(p);
+  const Vec3d lo(box.lo);
+  const double step = length(Vec3d(box.hi) - lo) / lattice;
+  const auto moved = [&](Vec3f p) {
+    const Vec3d q = (Vec3d(p) - lo) / step;
+    return Vec3f(lo + Vec3d(std::round(q.x), std::round(q.y), std::round(q.z)) * step);
+  };
+  Triangles few;
+  for (const GlowingTriangle& t : triangles) {
+    const GlowingTriangle rough{moved(t[0]), moved(t[1]), moved(t[2])};
+    if (area_of(rough) > 0) few.push_back(rough);
+  }
+  const auto before = [](const GlowingTriangle& s, const GlowingTriangle& t) {
+    return std::lexicographical_compare(
+        s.begin(), s.end(), t.begin(), t.end(),
+        [](Vec3f a, Vec3f b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
+  };
+  std::sort(few.begin(), few.end(), before);
+  few.erase(std::unique(few.begin(), few.end()), few.end());
+  return few.empty() ? triangles : few;
+}
+
+Part part_of(Triangles triangles, Triangles coarse, const Glow& glow) {
+  const double fault = coarse.empty() ? 0 : fault_of(coarse, glow);
+  return {std::move(triangles), std::move(coarse), fault};
 }
 
 /// The middle of the surface and the directions in which it extends, by area.
@@ -157,54 +174,58 @@ std::vector<HalfSpace> candidate_planes(std::span<const GlowingTriangle> triangl
   return planes;
 }
 
-/// Faults of both sides, by area; nothing where one side is empty.
+/// Faults of both sides, by area; nothing where one side is as good as empty.
 std::optional<double> fault_of(const Halves& halves, const Glow& glow) {
-  double sum = 0, area = 0;
-  for (const Triangles& half : {halves.below, halves.above}) {
-    const double of_it = area_of(half);
-    if (!(of_it > 0)) return {};
-    sum += of_it * part_of(half, glow).fault;
-    area += of_it;
-  }
-  if (std::min(area_of(halves.below), area_of(halves.above)) < 1e-3 * area) return {};
-  return sum / area;
+  const double below = area_of(halves.below), above = area_of(halves.above);
+  if (!(std::min(below, above) > 1e-3 * (below + above))) return {};
+  return (below * fault_of(halves.below, glow) + above * fault_of(halves.above, glow)) /
+         (below + above);
 }
 
-std::optional<HalfSpace> best_plane(const Part& part, const Glow& glow) {
-  Triangles few;
-  const std::size_t step = part.triangles.size() / most_tried + 1;
-  for (std::size_t i = 0; i < part.triangles.size(); i += step) few.push_back(part.triangles[i]);
+std::optional<HalfSpace> best_plane(std::span<const GlowingTriangle> triangles, const Glow& glow) {
   std::optional<HalfSpace> best;
   double least = 0;
-  for (const HalfSpace& plane : candidate_planes(part.triangles))
-    if (const std::optional<double> fault = fault_of(cut(few, plane), glow))
+  for (const HalfSpace& plane : candidate_planes(triangles))
+    if (const std::optional<double> fault = fault_of(cut(triangles, plane), glow))
       if (!best || *fault < least * (1 - 1e-6)) best = plane, least = *fault;
   return best;
 }
 
-std::vector<EmitterPiece> split_solid(Triangles triangles, const Glow& glow, std::size_t most) {
+/// Cuts the worst part in two as long as there is one and may be more.
+std::vector<Part> cut_apart(Triangles triangles, const Glow& glow, std::size_t most) {
   std::vector<Part> parts;
-  parts.push_back(part_of(std::move(triangles), glow));
+  Triangles few = coarse(triangles);
+  parts.push_back(part_of(std::move(triangles), std::move(few), glow));
+  const auto weight = [](const Part& part) {
+    return part.fault > 1 ? part.fault * area_of(part.triangles) : 0;
+  };
   while (parts.size() < most) {
-    std::size_t worst = 0;
-    const auto weight = [&](const Part& part) {
-      return part.fault > 1 ? part.fault * area_of(part.triangles) : 0;
-    };
-    for (std::size_t i = 1; i < parts.size(); ++i)
-      if (weight(parts[i]) > weight(parts[worst])) worst = i;
-    if (!(weight(parts[worst]) > 0)) break;
-    Part& part = parts[worst];
-    const std::optional<HalfSpace> plane = best_plane(part, glow);
-    Halves halves = plane ? cut(part.triangles, *plane) : Halves{};
+    const auto worst =
+        std::max_element(parts.begin(), parts.end(),
+                         [&](const Part& a, const Part& b) { return weight(a) < weight(b); });
+    if (!(weight(*worst) > 0)) break;
+    const std::optional<HalfSpace> plane = best_plane(worst->coarse, glow);
+    Halves halves = plane ? cut(worst->triangles, *plane) : Halves{};
     if (!(area_of(halves.below) > 0) || !(area_of(halves.above) > 0)) {
-      part.fault = 0;
+      worst->fault = 0;
       continue;
     }
-    part = part_of(std::move(halves.below), glow);
-    parts.push_back(part_of(std::move(halves.above), glow));
+    Halves few_halves = cut(worst->coarse, *plane);
+    *worst = part_of(std::move(halves.below), std::move(few_halves.below), glow);
+    parts.push_back(part_of(std::move(halves.above), std::move(few_halves.above), glow));
   }
+  return parts;
+}
+
+std::vector<EmitterPiece> split_solid(Triangles triangles, const Glow& glow, std::size_t most) {
+  const Vec3d power = glow.power_per_area * area_of(triangles);
+  const std::vector<Part> parts = cut_apart(std::move(triangles), glow, most);
+  double area = 0;  // cuts round corners
+  for (const Part& part : parts) area += area_of(part.triangles);
   std::vector<EmitterPiece> pieces;
-  for (Part& part : parts) pieces.push_back(std::move(part.piece));
+  for (const Part& part : parts)
+    pieces.push_back(
+        piece_of(part.triangles, glow.sides, power * (area_of(part.triangles) / area)));
   return pieces;
 }
 
