@@ -62,12 +62,17 @@ std::vector<PlanePoint> thinned(std::vector<PlanePoint> ring) {
   constexpr std::size_t most = 512;
   if (ring.size() <= most) return ring;
   std::vector<PlanePoint> few;
+  // The farthest corner goes round the ring as the direction turns, from the leftmost one on.
+  std::size_t at = 0;
   for (std::size_t i = 0; i < most; ++i) {
-    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / most;
+    const double angle = std::numbers::pi + 2 * std::numbers::pi * static_cast<double>(i) / most;
     const double a = std::cos(angle), b = std::sin(angle);
-    few.push_back(*std::max_element(ring.begin(), ring.end(), [&](PlanePoint p, PlanePoint q) {
-      return a * p.x + b * p.y < a * q.x + b * q.y;
-    }));
+    const auto reach = [&](std::size_t j) {
+      const PlanePoint p = ring[j % ring.size()];
+      return a * p.x + b * p.y;
+    };
+    while (at < 2 * ring.size() && reach(at + 1) > reach(at)) ++at;
+    few.push_back(ring[at % ring.size()]);
   }
   return planar_hull(std::move(few));
 }

@@ -25,18 +25,27 @@ namespace {
 /// Of the silhouettes of its hull: how much a part may leave empty.
 constexpr double empty_enough_to_cut = 0.05;
 /// Of its light: how much a part's light may send elsewhere.
-constexpr double wrong_enough_to_cut = 0.12;
-/// Cuts are tried out on so many triangles, of corners moved to the points of a lattice.
-constexpr std::size_t most_tried = 3000;
-constexpr double lattice = 20;
+constexpr double wrong_enough_to_cut = 0.15;
+/// Of the area: less is not cut off.
+constexpr double least_share = 0.02;
+/// Cuts are tried out on so many triangles, of corners moved to a lattice of so many points.
+constexpr std::size_t most_tried = 2500;
+constexpr double finest_lattice = 80;
 constexpr std::size_t most_tried_corners = 48;
 
 using Triangles = std::vector<GlowingTriangle>;
 
+/// Of the light that triangles make.
+struct Fault {
+  double empty = 0;  ///< part of the hull's silhouettes
+  double wrong = 0;  ///< part of the light
+  double size() const { return empty / empty_enough_to_cut + wrong / wrong_enough_to_cut; }
+};
+
 struct Part {
   Triangles triangles;
   Triangles coarse;  ///< to judge it by: the same, or fewer
-  double fault = 0;  ///< of the light it makes; up to 1 is good enough
+  Fault fault;
 };
 
 /// How a whole surface shines, and what its parts inherit.
@@ -52,29 +61,22 @@ double area_of(std::span<const GlowingTriangle> triangles) {
 }
 
 /// The light that a part would be, roughly: its corners are few, and its intensity 1.
-double fault_of(std::span<const GlowingTriangle> triangles, const Glow& glow) {
+Fault fault_of(std::span<const GlowingTriangle> triangles, const Glow& glow) {
   EmitterPiece piece = piece_of(triangles, glow.sides, Vec3d(1, 1, 1));
   const double all = total(piece.field);
   const std::optional<MeshLight> hull =
       convex_hull(extreme_points(piece.points, most_tried_corners));
-  if (!hull || !(all > 0)) return 0;
-  const double empty = empty_part(triangles, *hull);
-  const double wrong = misdirected(piece.field, field_of(with_power(*hull, piece))) / all;
-  return std::max(empty / empty_enough_to_cut, wrong / wrong_enough_to_cut);
+  if (!hull || !(all > 0)) return {};
+  return {empty_part(triangles, *hull, piece.axis),
+          misdirected(piece.field, field_of(with_power(*hull, piece))) / all};
 }
 
 /// With corners moved to the points of a lattice; what has no area there is left out
 /// (J. Rossignac, P. Borrel, Multi-resolution 3D approximations for rendering, 1993).
-Triangles coarse(const Triangles& triangles) {
-  if (triangles.size() <= most_tried) return triangles;
-  Box box;
-  for (const GlowingTriangle& t : triangles)
-    for (const Vec3f p : t) box.add(p);
-  const Vec3d lo(box.lo);
-  const double step = length(Vec3d(box.hi) - lo) / lattice;
+Triangles on_lattice(const Triangles& triangles, Vec3d origin, double step) {
   const auto moved = [&](Vec3f p) {
-    const Vec3d q = (Vec3d(p) - lo) / step;
-    return Vec3f(lo + Vec3d(std::round(q.x), std::round(q.y), std::round(q.z)) * step);
+    const Vec3d q = (Vec3d(p) - origin) / step;
+    return Vec3f(origin + Vec3d(std::round(q.x), std::round(q.y), std::round(q.z)) * step);
   };
   Triangles few;
   for (const GlowingTriangle& t : triangles) {
@@ -88,11 +90,26 @@ Triangles coarse(const Triangles& triangles) {
   };
   std::sort(few.begin(), few.end(), before);
   few.erase(std::unique(few.begin(), few.end()), few.end());
-  return few.empty() ? triangles : few;
+  return few;
+}
+
+/// The same, or not many more than `most_tried` triangles much like them.
+Triangles coarse(const Triangles& triangles) {
+  Box box;
+  for (const GlowingTriangle& t : triangles)
+    for (const Vec3f p : t) box.add(p);
+  const double size = length(Vec3d(box.hi) - Vec3d(box.lo));
+  Triangles few = triangles;
+  for (double cells = finest_lattice; few.size() > most_tried && cells > 4; cells *= 0.7) {
+    Triangles fewer = on_lattice(few, Vec3d(box.lo), size / cells);
+    if (fewer.empty()) break;
+    few = std::move(fewer);
+  }
+  return few;
 }
 
 Part part_of(Triangles triangles, Triangles coarse, const Glow& glow) {
-  const double fault = coarse.empty() ? 0 : fault_of(coarse, glow);
+  const Fault fault = coarse.empty() ? Fault{} : fault_of(coarse, glow);
   return {std::move(triangles), std::move(coarse), fault};
 }
 
@@ -174,20 +191,22 @@ std::vector<HalfSpace> candidate_planes(std::span<const GlowingTriangle> triangl
   return planes;
 }
 
-/// Faults of both sides, by area; nothing where one side is as good as empty.
-std::optional<double> fault_of(const Halves& halves, const Glow& glow) {
-  const double below = area_of(halves.below), above = area_of(halves.above);
-  if (!(std::min(below, above) > 1e-3 * (below + above))) return {};
-  return (below * fault_of(halves.below, glow) + above * fault_of(halves.above, glow)) /
-         (below + above);
+/// Of both sides, by area; nothing where one side is as good as empty.
+std::optional<Fault> fault_of(const Halves& halves, const Glow& glow) {
+  const double below = area_of(halves.below), above = area_of(halves.above), all = below + above;
+  if (!(std::min(below, above) > least_share * all)) return {};
+  const Fault a = fault_of(halves.below, glow), b = fault_of(halves.above, glow);
+  return Fault{(below * a.empty + above * b.empty) / all,
+               (below * a.wrong + above * b.wrong) / all};
 }
 
+/// Nothing where every cut would leave one side as good as empty.
 std::optional<HalfSpace> best_plane(std::span<const GlowingTriangle> triangles, const Glow& glow) {
   std::optional<HalfSpace> best;
-  double least = 0;
+  double least = std::numeric_limits<double>::infinity();
   for (const HalfSpace& plane : candidate_planes(triangles))
-    if (const std::optional<double> fault = fault_of(cut(triangles, plane), glow))
-      if (!best || *fault < least * (1 - 1e-6)) best = plane, least = *fault;
+    if (const std::optional<Fault> fault = fault_of(cut(triangles, plane), glow))
+      if (fault->size() < least * (1 - 1e-6)) best = plane, least = fault->size();
   return best;
 }
 
@@ -197,7 +216,7 @@ std::vector<Part> cut_apart(Triangles triangles, const Glow& glow, std::size_t m
   Triangles few = coarse(triangles);
   parts.push_back(part_of(std::move(triangles), std::move(few), glow));
   const auto weight = [](const Part& part) {
-    return part.fault > 1 ? part.fault * area_of(part.triangles) : 0;
+    return part.fault.size() > 1 ? part.fault.size() * area_of(part.triangles) : 0;
   };
   while (parts.size() < most) {
     const auto worst =
@@ -207,7 +226,7 @@ std::vector<Part> cut_apart(Triangles triangles, const Glow& glow, std::size_t m
     const std::optional<HalfSpace> plane = best_plane(worst->coarse, glow);
     Halves halves = plane ? cut(worst->triangles, *plane) : Halves{};
     if (!(area_of(halves.below) > 0) || !(area_of(halves.above) > 0)) {
-      worst->fault = 0;
+      worst->fault = {};
       continue;
     }
     Halves few_halves = cut(worst->coarse, *plane);

@@ -76,18 +76,18 @@ class Silhouette {
 
 }  // namespace
 
-double empty_part(std::span<const GlowingTriangle> triangles, const MeshLight& hull) {
+double empty_part(std::span<const GlowingTriangle> triangles, const MeshLight& hull, Vec3d axis) {
   double empty = 0, all = 0;
   for (const Vec3d direction : spread_directions(directions)) {
     Silhouette of_hull(hull, direction), of_surface(hull, direction);
     for (const Triangle& t : hull.triangles)
       of_hull.add({hull.corners[t[0]], hull.corners[t[1]], hull.corners[t[2]]});
     for (const GlowingTriangle& t : triangles) of_surface.add(t);
-    const double area = of_hull.area();
+    const double weight = of_hull.area() * (axis == Vec3d{} ? 1 : std::abs(dot(axis, direction)));
     const auto hull_count = static_cast<double>(of_hull.filled());
     const auto surface_count = static_cast<double>(of_surface.filled());
-    empty += area * std::max(0.0, hull_count - surface_count);
-    all += area * hull_count;
+    empty += weight * std::max(0.0, hull_count - surface_count);
+    all += weight * hull_count;
   }
   return all > 0 ? empty / all : 0;
 }

@@ -70,8 +70,7 @@ inline double irradiance_of_lights(const std::vector<Light>& lights, const Recei
 inline double power_of_triangles(const Scene& scene) {
   double sum = 0;
   visit_glowing(scene, [&](const std::array<Vec3f, 3>& t, const Material& material) {
-    const double area =
-        0.5 * length(cross(Vec3d(t[1]) - Vec3d(t[0]), Vec3d(t[2]) - Vec3d(t[0])));
+    const double area = 0.5 * length(cross(Vec3d(t[1]) - Vec3d(t[0]), Vec3d(t[2]) - Vec3d(t[0])));
     sum += static_cast<double>(material.emission.y) * area;
   });
   return sum;
