@@ -18,11 +18,14 @@ namespace {
 constexpr double convex_tolerance = 1e-4;
 /// Of the surface's size: what lies so near a line lies on it. Files round coordinates.
 constexpr double line_tolerance = 1e-5;
+/// Of a piece's size.
+constexpr double long_edge = 0.15;
 constexpr std::size_t most_cuts = 24;
 
 /// Points with a x + b y > c are left of it.
 struct Line {
   double a = 0, b = 0, c = 0;
+  bool is_edge = true;  ///< along a long edge: what it cuts off is likelier to be convex
   double height(PlanePoint p) const { return a * p.x + b * p.y - c; }
 };
 
@@ -181,7 +184,9 @@ std::vector<Line> candidate_lines(const Piece& piece, std::span<const Edge> outl
     double low = 0, high = 0;
     for (const PlanePoint p : piece.flat.ring)
       low = std::min(low, line.height(p)), high = std::max(high, line.height(p));
-    if (low < -tolerance && high > tolerance) lines.push_back(line);
+    if (!(low < -tolerance && high > tolerance)) continue;
+    lines.push_back(line);
+    lines.back().is_edge = long_ > long_edge * size_of(piece.flat.ring);
   }
   PlanePoint middle;
   for (const PlaneTriangle& t : piece.triangles)
@@ -191,13 +196,14 @@ std::vector<Line> candidate_lines(const Piece& piece, std::span<const Edge> outl
     }
   for (int i = 0; i < 8; ++i) {
     const double angle = std::numbers::pi / 8 * i, a = std::cos(angle), b = std::sin(angle);
-    lines.push_back({a, b, a * middle.x + b * middle.y});
+    lines.push_back({a, b, a * middle.x + b * middle.y, false});
   }
   return lines;
 }
 
-/// What the hulls of the two sides measure, less a little for even halves; nothing where the line
-/// leaves one side empty. The hull of a side is that of its outline and of where the line meets it.
+/// What the hulls of the two sides measure, a little less for even halves along a long edge, and
+/// a little more elsewhere; nothing where the line leaves one side empty. The hull of a side is
+/// that of its outline and of where the line meets it.
 std::optional<double> cost_of(std::span<const Edge> outline, const Line& line, double tolerance) {
   std::array<std::vector<PlanePoint>, 2> points;
   for (const Edge& e : outline) {
@@ -220,7 +226,7 @@ std::optional<double> cost_of(std::span<const Edge> outline, const Line& line, d
   const double right = area(planar_hull(std::move(points[0])));
   const double left = area(planar_hull(std::move(points[1])));
   if (!(right > 0) || !(left > 0)) return {};
-  return right + left - 1e-2 * std::min(right, left);
+  return right + left - (line.is_edge ? 1e-2 : -1e-2) * std::min(right, left);
 }
 
 /// Sets of triangles that hang together by corners.

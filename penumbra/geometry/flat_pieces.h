@@ -25,7 +25,7 @@ struct FlatPiece {
 ///     into such, though not always into the fewest; a convex surface is one.
 /// (2) The areas of the pieces add up to that of the triangles.
 /// (3) The same triangles in another order give the same pieces.
-/// None where the triangles have no area. Cost: O(n log n), some 0.2 s for 10⁵ triangles.
+/// None where the triangles have no area. Cost: O(n log n), up to a second for 10⁵ triangles.
 std::vector<FlatPiece> flat_pieces(std::span<const PlaneTriangle> triangles, std::size_t most);
 
 }  // namespace penumbra

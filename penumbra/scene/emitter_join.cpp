@@ -141,6 +141,7 @@ std::vector<std::vector<std::size_t>> groups_of(std::span<const EmitterPiece> pi
 EmitterPiece joined(std::span<const EmitterPiece> pieces, std::span<const std::size_t> group) {
   EmitterPiece all = pieces[group[0]];
   if (group.size() == 1) return all;
+  all.is_joined = true;
   all.ball.reset();
   all.points.clear();
   all.field = {};
@@ -152,7 +153,9 @@ EmitterPiece joined(std::span<const EmitterPiece> pieces, std::span<const std::s
     add(all.field, piece.field);
     power += piece.power;
     center += piece.center * weight_of(piece);
-    axis += piece.axis * weight_of(piece);
+    // Of what shines to both sides either normal will do.
+    const bool is_turned = piece.shines == Shines::both && dot(axis, piece.axis) < 0;
+    axis += piece.axis * (is_turned ? -weight_of(piece) : weight_of(piece));
     is_front = is_front && piece.shines == Shines::front;
     is_both = is_both && piece.shines == Shines::both;
   }
@@ -161,9 +164,13 @@ EmitterPiece joined(std::span<const EmitterPiece> pieces, std::span<const std::s
   all.power = power;
   all.center = center / weight_of(all);
   all.axis = normalize(axis);
-  for (const std::size_t i : group)
-    is_front = is_front && dot(pieces[i].axis, all.axis) > same_front;
+  for (const std::size_t i : group) {
+    const double cosine = dot(pieces[i].axis, all.axis);
+    is_front = is_front && cosine > same_front;
+    is_both = is_both && std::abs(cosine) > same_front;
+  }
   all.shines = is_front ? Shines::front : is_both ? Shines::both : Shines::around;
+  if (all.shines == Shines::around) all.axis = {};
   return all;
 }
 

@@ -16,8 +16,7 @@
 namespace penumbra {
 namespace {
 
-/// Each corner costs a light some 0.2 microseconds a point that asks for it.
-constexpr std::size_t most_polygon_corners = 16, most_hull_corners = 32;
+constexpr std::size_t most_polygon_corners = 16;
 /// A regular polygon of so many corners is a disk.
 constexpr std::size_t least_disk_corners = 16;
 constexpr std::size_t most_points = 256;
@@ -112,17 +111,19 @@ std::optional<DiskLight> disk(const FlatHull& hull, Vec3d n) {
   return DiskLight{center, Vec3f(n), static_cast<float>(std::sqrt(hull.area / pi))};
 }
 
-LightShape flat_shape(std::span<const Vec3f> points, Vec3d n, double size) {
+LightShape flat_shape(std::span<const Vec3f> points, Vec3d n, double size,
+                      std::size_t most_corners) {
   FlatHull hull = flat_hull(points, n, size);
   if (const auto shape = parallelogram(hull.corners, size)) return *shape;
   if (const auto shape = disk(hull, n)) return *shape;
-  if (hull.corners.size() > most_polygon_corners) {
+  const std::size_t most = std::min(most_corners, most_polygon_corners);
+  if (hull.corners.size() > most) {
     const Frame<double> frame = frame_around(n);
     const Vec3d origin(hull.corners[0]);
     std::vector<PlanePoint> ring;
     for (const Vec3f p : hull.corners)
       ring.push_back({dot(Vec3d(p) - origin, frame.u), dot(Vec3d(p) - origin, frame.v)});
-    ring = fewer_corners(std::move(ring), most_polygon_corners, 0);
+    ring = fewer_corners(std::move(ring), most, 0);
     hull.corners.clear();
     for (const PlanePoint p : ring)
       hull.corners.push_back(Vec3f(origin + frame.u * p.x + frame.v * p.y));
@@ -137,27 +138,50 @@ bool is_flat_shape(const LightShape& shape) {
 
 /// Of what has no shape that a light could have.
 LightShape thin_shape(const Extents& e) {
-  constexpr double row = 4;
+  constexpr double row = 4;  // longer ones are lines
   const Vec3f center((e.a + e.b) * 0.5);
   if (e.long_ > row * e.wide) return LineLight{center, Vec3f((e.b - e.a) * 0.5)};
   return BallLight{center, static_cast<float>(0.25 * (e.long_ + e.wide))};
 }
 
-LightShape shape_of(EmitterPiece& piece, const Extents& e) {
-  if (piece.ball) return *piece.ball;
-  if (e.thick <= flat_tolerance * e.long_) {
-    constexpr double along_axis = 0.7;
-    Vec3d n = e.normal;
-    if (piece.shines == Shines::front) {
-      if (dot(n, piece.axis) < 0) n = -n;
-      if (dot(n, piece.axis) < along_axis) return thin_shape(e);
-      piece.axis = n;
-    }
-    return flat_shape(piece.points, n, e.long_);
+/// Corners moved along n into the plane through the piece's centre.
+std::vector<Vec3f> flattened(const EmitterPiece& piece, Vec3d n) {
+  std::vector<Vec3f> points;
+  for (const Vec3f p : piece.points)
+    points.emplace_back(Vec3f(Vec3d(p) - n * dot(n, Vec3d(p) - piece.center)));
+  return points;
+}
+
+/// Of what is flat, or as good as flat for those it shines on.
+Light flat_light(const EmitterPiece& piece, const Extents& e, std::size_t most_corners) {
+  constexpr double along_axis = 0.7;
+  EmitterPiece flat = piece;
+  Vec3d n = e.normal;
+  if (piece.shines == Shines::front) {
+    if (dot(n, piece.axis) < 0) n = -n;
+    if (dot(n, piece.axis) < along_axis) return with_power(thin_shape(e), piece);
+    flat.axis = n;
   }
-  if (std::optional<MeshLight> hull = reduced_hull(piece.points, most_hull_corners))
-    return *std::move(hull);
-  return thin_shape(e);
+  return with_power(flat_shape(piece.points, n, e.long_, most_corners), flat);
+}
+
+Light solid_light(const EmitterPiece& piece, const Extents& e, std::size_t most_corners) {
+  // What was put together is no certain form: if it is as thick as this, a ball costs least.
+  constexpr double ball = 0.5;
+  if (piece.is_joined && piece.shines == Shines::around && e.thick > ball * e.long_)
+    return with_power(
+        BallLight{Vec3f((e.a + e.b) * 0.5), static_cast<float>(0.25 * (e.long_ + e.wide))}, piece);
+  std::optional<MeshLight> hull = reduced_hull(piece.points, most_corners);
+  const Light light = with_power(hull ? LightShape(*std::move(hull)) : thin_shape(e), piece);
+  if (piece.axis == Vec3d{}) return light;
+  // Leaves that face one way shine like a plane, wherever they hang.
+  EmitterPiece leaf = piece;
+  leaf.points = flattened(piece, piece.axis);
+  const Extents of_leaf = extents_of(leaf.points);
+  const Light plane = flat_light(leaf, of_leaf, most_corners);
+  const bool is_better =
+      misdirected(piece.field, field_of(plane)) < 0.7 * misdirected(piece.field, field_of(light));
+  return is_better && !problem_of(plane.shape) ? plane : light;
 }
 
 }  // namespace
@@ -197,15 +221,15 @@ Light with_power(LightShape shape, const EmitterPiece& piece) {
   return light;
 }
 
-std::optional<Light> light_of(const EmitterPiece& piece) {
+std::optional<Light> light_of(const EmitterPiece& piece, std::size_t most_corners) {
   if (piece.points.empty() || !is_finite(piece.power)) return {};
-  EmitterPiece copy = piece;
   const Extents e = extents_of(piece.points);
-  LightShape shape = shape_of(copy, e);
-  if (problem_of(shape)) shape = LineLight{Vec3f((e.a + e.b) * 0.5), Vec3f((e.b - e.a) * 0.5)};
-  if (problem_of(shape)) return {};
-  Light light = with_power(std::move(shape), copy);
-  if (!is_finite(light.intensity)) return {};
+  Light light = piece.ball                            ? with_power(*piece.ball, piece)
+                : e.thick <= flat_tolerance * e.long_ ? flat_light(piece, e, most_corners)
+                                                      : solid_light(piece, e, most_corners);
+  if (problem_of(light.shape))
+    light = with_power(LineLight{Vec3f((e.a + e.b) * 0.5), Vec3f((e.b - e.a) * 0.5)}, piece);
+  if (problem_of(light.shape) || !is_finite(light.intensity)) return {};
   return light;
 }
 

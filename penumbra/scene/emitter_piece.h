@@ -20,11 +20,12 @@ enum class Shines { front, both, around };
 struct EmitterPiece {
   std::vector<Vec3f> points;  ///< the light is their hull
   Shines shines = Shines::around;
-  Vec3d axis;                     ///< unit where it shines to the front
+  Vec3d axis;                     ///< unit, or 0 where it has none
   Vec3d power;                    ///< over pi: radiance times area of what shines from one side
   Vec3d center;                   ///< of the surface
   std::optional<BallLight> ball;  ///< where the surface is one
   FarField field{};               ///< what its triangles send, of the power above
+  bool is_joined = false;         ///< made of several pieces
   std::size_t surface = 0;        ///< index of what it is a piece of
 };
 
@@ -36,8 +37,8 @@ EmitterPiece piece_of(std::span<const GlowingTriangle> triangles, Sides sides, V
 Light with_power(LightShape shape, const EmitterPiece& piece);
 
 /// The light of a piece: ball, parallelogram, disk (of regular polygons of 16 and more corners),
-/// polygon of at most 16 corners, or hull of at most 32; a line, ball or none where these would be
-/// too thin for what `problem_of` asks. Its power is the piece's.
-std::optional<Light> light_of(const EmitterPiece& piece);
+/// polygon of at most `most_corners` and 16, or hull of at most so many; a line, ball or none where
+/// these would be too thin for what `problem_of` asks. Its power is the piece's.
+std::optional<Light> light_of(const EmitterPiece& piece, std::size_t most_corners);
 
 }  // namespace penumbra

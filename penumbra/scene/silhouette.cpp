@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <bitset>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include "penumbra/geometry/polygon_ears.h"
@@ -40,14 +41,25 @@ class Silhouette {
       t[i] = {(p.x - low_.x) / (high_.x - low_.x) * cells,
               (p.y - low_.y) / (high_.y - low_.y) * cells};
     }
-    const auto [left, right] = std::minmax({t[0].x, t[1].x, t[2].x});
     const auto [bottom, top] = std::minmax({t[0].y, t[1].y, t[2].y});
-    for (int y = first_after(bottom); y < cells && y + 0.5 <= top; ++y)
-      for (int x = first_after(left); x < cells && x + 0.5 <= right; ++x)
-        if (holds(t, {x + 0.5, y + 0.5})) filled_.set(static_cast<std::size_t>(y * cells + x));
+    for (int y = first_after(bottom); y < cells && y + 0.5 <= top; ++y) {
+      double left = std::numeric_limits<double>::infinity(), right = -left;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const PlanePoint a = t[i], b = t[(i + 1) % 3];
+        if ((a.y <= y + 0.5) == (b.y <= y + 0.5)) continue;
+        const double x = a.x + (b.x - a.x) * ((y + 0.5 - a.y) / (b.y - a.y));
+        left = std::min(left, x), right = std::max(right, x);
+      }
+      const int begin = first_after(left), end = first_after(right);
+      if (begin < end) rows_[static_cast<std::size_t>(y)] |= (1u << end) - (1u << begin);
+    }
   }
 
-  std::size_t filled() const { return filled_.count(); }
+  int filled() const {
+    int sum = 0;
+    for (const std::uint32_t row : rows_) sum += std::popcount(row);
+    return sum;
+  }
 
  private:
   PlanePoint flat(Vec3f p) const {
@@ -55,15 +67,9 @@ class Silhouette {
     return {dot(q, frame_.u), dot(q, frame_.v)};
   }
 
-  /// The first point of a row that is not before x; 0 for what is no number.
+  /// The first point of a row that is not before x, at most their number; 0 for what is no number.
   static int first_after(double x) {
     return x > 0 ? static_cast<int>(std::min(std::ceil(x - 0.5), 1.0 * cells)) : 0;
-  }
-
-  static bool holds(const Corners& t, PlanePoint p) {
-    const double a = twice_area(t[0], t[1], p), b = twice_area(t[1], t[2], p),
-                 c = twice_area(t[2], t[0], p);
-    return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
   }
 
   Frame<double> frame_;
@@ -71,7 +77,7 @@ class Silhouette {
   PlanePoint low_{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   PlanePoint high_{-std::numeric_limits<double>::infinity(),
                    -std::numeric_limits<double>::infinity()};
-  std::bitset<cells * cells> filled_;
+  std::array<std::uint32_t, cells> rows_{};  ///< a bit a point
 };
 
 }  // namespace
@@ -84,10 +90,8 @@ double empty_part(std::span<const GlowingTriangle> triangles, const MeshLight& h
       of_hull.add({hull.corners[t[0]], hull.corners[t[1]], hull.corners[t[2]]});
     for (const GlowingTriangle& t : triangles) of_surface.add(t);
     const double weight = of_hull.area() * (axis == Vec3d{} ? 1 : std::abs(dot(axis, direction)));
-    const auto hull_count = static_cast<double>(of_hull.filled());
-    const auto surface_count = static_cast<double>(of_surface.filled());
-    empty += weight * std::max(0.0, hull_count - surface_count);
-    all += weight * hull_count;
+    empty += weight * std::max(0, of_hull.filled() - of_surface.filled());
+    all += weight * of_hull.filled();
   }
   return all > 0 ? empty / all : 0;
 }
