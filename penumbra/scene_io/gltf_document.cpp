@@ -70,7 +70,8 @@ Json parse_json(const Source& source, const Chunks& chunks) {
     const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
     throw Error({source.path.string(), line, {}}, "broken JSON", "is the file damaged or cut off?");
   } catch (const Json::exception& error) {  // a number beyond the range of double
-    throw Error({source.path.string(), {}, {}}, fmt::format("broken JSON: {}", error.what()), "");
+    throw Error({source.path.string(), {}, {}}, fmt::format("broken JSON: {:.200}", error.what()),
+                "is the file damaged?");
   }
 }
 
