@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/scene_io/gltf_document.h"
 
+#include "penumbra/scene_io/gltf_extensions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -101,16 +103,6 @@ void load_buffers(GltfDocument& gltf, const Chunks& chunks) {
   }
 }
 
-void check_required_extensions(const GltfDocument& gltf) {
-  const Json* required = member(gltf.root, "extensionsRequired");
-  if (!required || !required->is_array()) return;
-  for (const Json& name : *required)
-    for (const char* compressed : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"})
-      if (name == compressed)
-        gltf.fail(fmt::format("its meshes are compressed ({}), which is not read", compressed),
-                  "export it without compression");
-}
-
 /// A JSON number that counts or indexes something; doubles that are whole will do.
 std::size_t to_index(const GltfDocument& gltf, const Json& json, const char* key) {
   const double value = json.is_number() ? json.get<double>() : -1;
@@ -125,15 +117,18 @@ void GltfDocument::fail(std::string what, std::string hint) const {
   throw Error({source.path.string(), {}, {}}, std::move(what), std::move(hint));
 }
 
-GltfDocument open_gltf(const Source& source) {
+GltfDocument open_gltf(const Source& source, Warnings& warnings) {
   const Chunks chunks = split_glb(source);
   GltfDocument gltf{source, parse_json(source, chunks), {}};
   const Json* asset = member(gltf.root, "asset");
   if (!asset) gltf.fail("there is no 'asset', so it is no glTF 2.0 file", "is it some other JSON?");
   if (const std::string version = string_of(gltf, *asset, "version"); !version.starts_with("2"))
     gltf.fail(fmt::format("glTF version '{:.10}'", version), "convert it to version 2");
-  check_required_extensions(gltf);
+  check_required_extensions(gltf, warnings);
   load_buffers(gltf, chunks);
+  std::size_t bytes = source.bytes.size();
+  for (const GltfBuffer& buffer : gltf.buffers) bytes += buffer.owned.size();
+  gltf.numbers_left = std::min(std::size_t{1} << 29, (std::size_t{1} << 24) + 32 * bytes);
   return gltf;
 }
 
@@ -205,9 +200,8 @@ std::vector<std::size_t> indices_of(const GltfDocument& gltf, const Json& object
 
 GltfView buffer_view(const GltfDocument& gltf, std::size_t index) {
   const Json& json = element(gltf, "bufferViews", index);
-  if (extension(json, "EXT_meshopt_compression"))
-    gltf.fail("its meshes are compressed (EXT_meshopt_compression), which is not read",
-              "export it without compression");
+  for (const char* packed : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
+    if (extension(json, packed)) refuse_compression(gltf, packed);
   const std::size_t buffer = index_of(gltf, json, "buffer").value_or(0);
   const std::size_t offset = index_of(gltf, json, "byteOffset").value_or(0);
   const std::size_t length = index_of(gltf, json, "byteLength").value_or(0);
