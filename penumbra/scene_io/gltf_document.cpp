@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/scene_io/gltf_document.h"
 
-#include "penumbra/scene_io/gltf_extensions.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <map>
 
 #include <fmt/format.h>
 
+#include "penumbra/scene_io/gltf_extensions.h"
 #include "penumbra/scene_io/gltf_uri.h"
 #include "penumbra/scene_io/texture_io.h"
 
@@ -77,19 +77,36 @@ Json parse_json(const Source& source, const Chunks& chunks) {
   }
 }
 
+/// A buffer beside the file, loaded once, however many names it goes by. `gltf.buffers` must not
+/// move meanwhile.
+GltfBuffer load_file(const GltfDocument& gltf, const std::string& uri,
+                     std::map<std::string, std::size_t>& loaded) {
+  const auto path = find_beside(gltf.source.path, decode_uri(uri));
+  if (!path)
+    gltf.fail(fmt::format("the buffer '{:.100}' is missing", uri), "put it beside the file");
+  GltfBuffer buffer;
+  buffer.file = decode_uri(uri);
+  const auto [known, is_new] = loaded.try_emplace(file_key(*path), gltf.buffers.size());
+  if (is_new)
+    buffer.owned = load(*path).bytes;
+  else
+    buffer.in_source = gltf.buffers[known->second].bytes();
+  return buffer;
+}
+
 void load_buffers(GltfDocument& gltf, const Chunks& chunks) {
   const std::size_t count = element_count(gltf, "buffers");
+  gltf.buffers.reserve(count);
+  std::map<std::string, std::size_t> loaded;
   for (std::size_t i = 0; i < count; ++i) {
     const Json& json = element(gltf, "buffers", i);
     const std::string uri = string_of(gltf, json, "uri");
     GltfBuffer buffer;
     buffer.file = gltf.source.path.string();
-    if (!uri.empty()) {
-      auto bytes = uri_bytes(gltf, uri);
-      if (!bytes)
-        gltf.fail(fmt::format("the buffer '{:.100}' is missing", uri), "put it beside the file");
-      buffer.owned = std::move(*bytes);
-      if (!is_data_uri(uri)) buffer.file = decode_uri(uri);
+    if (is_data_uri(uri)) {
+      buffer.owned = *uri_bytes(gltf, uri);
+    } else if (!uri.empty()) {
+      buffer = load_file(gltf, uri, loaded);
     } else if (i == 0) {
       buffer.in_source = chunks.binary;
       buffer.offset_in_file = chunks.binary_offset;

@@ -23,7 +23,7 @@ using Json = nlohmann::json;
 /// Bytes of a buffer and where they lie, for messages.
 struct GltfBuffer {
   std::string owned;           ///< of an external or embedded buffer
-  std::string_view in_source;  ///< of the binary chunk
+  std::string_view in_source;  ///< of the binary chunk, or of a buffer of the same file
   std::string file;
   std::size_t offset_in_file = 0;
 

@@ -27,6 +27,7 @@ struct Builder {
   TextureLoader& textures;
   Warnings& warnings;
   std::map<std::pair<std::size_t, ImageCoding>, Summary> summaries;  ///< by image
+  std::map<std::size_t, std::int32_t> loaded;                        ///< texture of an image
 };
 
 Color color_of(const GltfDocument& gltf, const Json& json, const char* key, std::size_t count,
@@ -43,33 +44,41 @@ std::optional<std::size_t> image_of(const GltfDocument& gltf, const Json& refere
   return index_of(gltf, element(gltf, "textures", *texture), "source");
 }
 
+std::int32_t load_image(Builder& b, std::size_t image) {
+  const Json& json = element(b.gltf, "images", image);
+  const std::string key = fmt::format("image {}", image);
+  if (const std::string uri = string_of(b.gltf, json, "uri"); !uri.empty()) {
+    if (!is_data_uri(uri)) return b.textures.from_file(decode_uri(uri));
+    return b.textures.from_bytes(key, uri_bytes(b.gltf, uri).value_or(""));
+  }
+  const auto view = index_of(b.gltf, json, "bufferView");
+  if (!view) b.gltf.fail(fmt::format("image {} has neither a file nor a buffer view", image));
+  return b.textures.from_bytes(key, buffer_view(b.gltf, *view).bytes);
+}
+
 std::int32_t load_texture(Builder& b, const Json& reference) {
   const auto image = image_of(b.gltf, reference);
   if (!image) {
     b.warnings.add("a texture in a format other than PNG and JPEG is not read");
     return -1;
   }
-  const Json& json = element(b.gltf, "images", *image);
-  if (const std::string uri = string_of(b.gltf, json, "uri"); !uri.empty()) {
-    if (!is_data_uri(uri)) return b.textures.from_file(decode_uri(uri));
-    return b.textures.from_bytes(fmt::format("image {}", *image),
-                                 uri_bytes(b.gltf, uri).value_or(""));
-  }
-  const auto view = index_of(b.gltf, json, "bufferView");
-  if (!view) b.gltf.fail(fmt::format("image {} has neither a file nor a buffer view", *image));
-  return b.textures.from_bytes(fmt::format("image {}", *image), buffer_view(b.gltf, *view).bytes);
+  const auto known = b.loaded.find(*image);
+  return known != b.loaded.end() ? known->second
+                                 : b.loaded.emplace(*image, load_image(b, *image)).first->second;
 }
 
 std::optional<Texture> decode_image(const GltfDocument& gltf, std::size_t image,
                                     ImageCoding coding) {
-  constexpr std::size_t most_pixels = std::size_t{1} << 25;
+  const auto decode = [&](std::string_view bytes) {
+    return decode_texture(bytes, coding, most_pixels_of(bytes.size()) / 2);
+  };
   const Json& json = element(gltf, "images", image);
   if (const std::string uri = string_of(gltf, json, "uri"); !uri.empty()) {
     const auto bytes = uri_bytes(gltf, uri);
-    return bytes ? decode_texture(*bytes, coding, most_pixels) : std::nullopt;
+    return bytes ? decode(*bytes) : std::nullopt;
   }
   const auto view = index_of(gltf, json, "bufferView");
-  return view ? decode_texture(buffer_view(gltf, *view).bytes, coding, most_pixels) : std::nullopt;
+  return view ? decode(buffer_view(gltf, *view).bytes) : std::nullopt;
 }
 
 /// Of an image; white where it cannot be had. Decoded once, however many materials have it.
@@ -234,7 +243,7 @@ Vec2f to_uv(const GltfUvUse& use, float u, float v) {
 
 std::vector<GltfUvUse> add_materials(const GltfDocument& gltf, Scene& scene,
                                      TextureLoader& textures, Warnings& warnings) {
-  Builder builder{gltf, textures, warnings, {}};
+  Builder builder{gltf, textures, warnings, {}, {}};
   std::vector<GltfUvUse> uses;
   const std::size_t count = element_count(gltf, "materials");
   for (std::size_t i = 0; i < count; ++i)

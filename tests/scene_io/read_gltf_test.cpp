@@ -211,6 +211,19 @@ TEST(ReadGltf, files_beside_it_are_found_and_missing_ones_named) {
   EXPECT_TRUE(holds(result.warnings[0], "the texture 'none.png' is missing"));
 }
 
+TEST(ReadGltf, a_buffer_s_file_is_loaded_once_whatever_it_is_called) {
+  TemporaryFolder folder;
+  folder.put("big.bin", std::string(1 << 24, ' '));
+  GltfText text;
+  std::string uris;
+  for (int i = 0; i < 300; ++i) {
+    uris += "./";
+    text.more_buffers += R"(,{"byteLength":1,"uri":")" + uris + R"(big.bin"})";
+  }
+  const auto path = folder.put("t.gltf", text.json());
+  EXPECT_EQ(read_valid(load(path)).scene.shapes.meshes.size(), 1u);  // or 5 GB would be read
+}
+
 TEST(ReadGltf, what_is_not_read_is_a_warning_or_an_error) {
   GltfText text;
   text.primitive = R"(,"material":0)";
