@@ -122,7 +122,8 @@ std::uint32_t index_at(const GltfDocument& gltf, const Elements& e, std::size_t 
 
 void spend(GltfDocument& gltf, std::size_t count, std::size_t width) {
   if (count > gltf.numbers_left / width)
-    gltf.fail("its meshes hold more than 500 million numbers", "split the scene");
+    gltf.fail("its meshes read far more numbers than there are in the file",
+              "let primitives share arrays less often, or split the scene");
   gltf.numbers_left -= count * width;
 }
 

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <map>
 
 #include <fmt/format.h>
 
+#include "penumbra/scene_io/gltf_extensions.h"
 #include "penumbra/scene_io/gltf_uri.h"
 #include "penumbra/scene_io/texture_io.h"
 
@@ -70,23 +72,41 @@ Json parse_json(const Source& source, const Chunks& chunks) {
     const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
     throw Error({source.path.string(), line, {}}, "broken JSON", "is the file damaged or cut off?");
   } catch (const Json::exception& error) {  // a number beyond the range of double
-    throw Error({source.path.string(), {}, {}}, fmt::format("broken JSON: {}", error.what()), "");
+    throw Error({source.path.string(), {}, {}}, fmt::format("broken JSON: {:.200}", error.what()),
+                "is the file damaged?");
   }
+}
+
+/// A buffer beside the file, loaded once, however many names it goes by. `gltf.buffers` must not
+/// move meanwhile.
+GltfBuffer load_file(const GltfDocument& gltf, const std::string& uri,
+                     std::map<std::string, std::size_t>& loaded) {
+  const auto path = find_beside(gltf.source.path, decode_uri(uri));
+  if (!path)
+    gltf.fail(fmt::format("the buffer '{:.100}' is missing", uri), "put it beside the file");
+  GltfBuffer buffer;
+  buffer.file = decode_uri(uri);
+  const auto [known, is_new] = loaded.try_emplace(file_key(*path), gltf.buffers.size());
+  if (is_new)
+    buffer.owned = load(*path).bytes;
+  else
+    buffer.in_source = gltf.buffers[known->second].bytes();
+  return buffer;
 }
 
 void load_buffers(GltfDocument& gltf, const Chunks& chunks) {
   const std::size_t count = element_count(gltf, "buffers");
+  gltf.buffers.reserve(count);
+  std::map<std::string, std::size_t> loaded;
   for (std::size_t i = 0; i < count; ++i) {
     const Json& json = element(gltf, "buffers", i);
     const std::string uri = string_of(gltf, json, "uri");
     GltfBuffer buffer;
     buffer.file = gltf.source.path.string();
-    if (!uri.empty()) {
-      auto bytes = uri_bytes(gltf, uri);
-      if (!bytes)
-        gltf.fail(fmt::format("the buffer '{:.100}' is missing", uri), "put it beside the file");
-      buffer.owned = std::move(*bytes);
-      if (!is_data_uri(uri)) buffer.file = decode_uri(uri);
+    if (is_data_uri(uri)) {
+      buffer.owned = *uri_bytes(gltf, uri);
+    } else if (!uri.empty()) {
+      buffer = load_file(gltf, uri, loaded);
     } else if (i == 0) {
       buffer.in_source = chunks.binary;
       buffer.offset_in_file = chunks.binary_offset;
@@ -98,16 +118,6 @@ void load_buffers(GltfDocument& gltf, const Chunks& chunks) {
           "is the file damaged or cut off?");
     gltf.buffers.push_back(std::move(buffer));
   }
-}
-
-void check_required_extensions(const GltfDocument& gltf) {
-  const Json* required = member(gltf.root, "extensionsRequired");
-  if (!required || !required->is_array()) return;
-  for (const Json& name : *required)
-    for (const char* compressed : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"})
-      if (name == compressed)
-        gltf.fail(fmt::format("its meshes are compressed ({}), which is not read", compressed),
-                  "export it without compression");
 }
 
 /// A JSON number that counts or indexes something; doubles that are whole will do.
@@ -124,15 +134,18 @@ void GltfDocument::fail(std::string what, std::string hint) const {
   throw Error({source.path.string(), {}, {}}, std::move(what), std::move(hint));
 }
 
-GltfDocument open_gltf(const Source& source) {
+GltfDocument open_gltf(const Source& source, Warnings& warnings) {
   const Chunks chunks = split_glb(source);
   GltfDocument gltf{source, parse_json(source, chunks), {}};
   const Json* asset = member(gltf.root, "asset");
   if (!asset) gltf.fail("there is no 'asset', so it is no glTF 2.0 file", "is it some other JSON?");
   if (const std::string version = string_of(gltf, *asset, "version"); !version.starts_with("2"))
     gltf.fail(fmt::format("glTF version '{:.10}'", version), "convert it to version 2");
-  check_required_extensions(gltf);
+  check_required_extensions(gltf, warnings);
   load_buffers(gltf, chunks);
+  std::size_t bytes = source.bytes.size();
+  for (const GltfBuffer& buffer : gltf.buffers) bytes += buffer.owned.size();
+  gltf.numbers_left = std::min(std::size_t{1} << 29, (std::size_t{1} << 24) + 32 * bytes);
   return gltf;
 }
 
@@ -204,9 +217,8 @@ std::vector<std::size_t> indices_of(const GltfDocument& gltf, const Json& object
 
 GltfView buffer_view(const GltfDocument& gltf, std::size_t index) {
   const Json& json = element(gltf, "bufferViews", index);
-  if (extension(json, "EXT_meshopt_compression"))
-    gltf.fail("its meshes are compressed (EXT_meshopt_compression), which is not read",
-              "export it without compression");
+  for (const char* packed : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
+    if (extension(json, packed)) refuse_compression(gltf, packed);
   const std::size_t buffer = index_of(gltf, json, "buffer").value_or(0);
   const std::size_t offset = index_of(gltf, json, "byteOffset").value_or(0);
   const std::size_t length = index_of(gltf, json, "byteLength").value_or(0);

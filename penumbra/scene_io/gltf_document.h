@@ -23,7 +23,7 @@ using Json = nlohmann::json;
 /// Bytes of a buffer and where they lie, for messages.
 struct GltfBuffer {
   std::string owned;           ///< of an external or embedded buffer
-  std::string_view in_source;  ///< of the binary chunk
+  std::string_view in_source;  ///< of the binary chunk, or of a buffer of the same file
   std::string file;
   std::size_t offset_in_file = 0;
 
@@ -34,9 +34,9 @@ struct GltfDocument {
   const Source& source;
   Json root;
   std::vector<GltfBuffer> buffers;
-  /// How many numbers may still be read from accessors: one array of a small file can be used a
-  /// million times.
-  std::size_t numbers_left = std::size_t{1} << 29;
+  /// How many numbers may still be read from accessors, by the size of the file: one array of a
+  /// small one can be used a million times.
+  std::size_t numbers_left = 0;
 
   /// Throws Error that names the file.
   [[noreturn]] void fail(std::string what, std::string hint = "export the file again") const;
@@ -44,8 +44,8 @@ struct GltfDocument {
 
 /// Parses .gltf or .glb (by content) and loads all buffers; external ones are looked for beside the
 /// file. Throws Error with line or byte for what is no JSON, with the buffer's name where one is
-/// missing or too short, and where an extension is required that compresses meshes.
-GltfDocument open_gltf(const Source& source);
+/// missing or too short, and for required extensions as `check_required_extensions`.
+GltfDocument open_gltf(const Source& source, Warnings& warnings);
 
 // JSON as glTF uses it. Each throws Error where a value is there but of the wrong kind.
 const Json* member(const Json& object, const char* key);      ///< nullptr where there is none

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -14,10 +16,18 @@ namespace penumbra {
 
 namespace {
 
+/// An image in three numbers a channel.
+struct Summary {
+  Color mean{1, 1, 1};
+  float brightest = 1;  ///< of all channels
+};
+
 struct Builder {
   const GltfDocument& gltf;
   TextureLoader& textures;
   Warnings& warnings;
+  std::map<std::pair<std::size_t, ImageCoding>, Summary> summaries;  ///< by image
+  std::map<std::size_t, std::int32_t> loaded;                        ///< texture of an image
 };
 
 Color color_of(const GltfDocument& gltf, const Json& json, const char* key, std::size_t count,
@@ -34,40 +44,59 @@ std::optional<std::size_t> image_of(const GltfDocument& gltf, const Json& refere
   return index_of(gltf, element(gltf, "textures", *texture), "source");
 }
 
+std::int32_t load_image(Builder& b, std::size_t image) {
+  const Json& json = element(b.gltf, "images", image);
+  const std::string key = fmt::format("image {}", image);
+  if (const std::string uri = string_of(b.gltf, json, "uri"); !uri.empty()) {
+    if (!is_data_uri(uri)) return b.textures.from_file(decode_uri(uri));
+    return b.textures.from_bytes(key, uri_bytes(b.gltf, uri).value_or(""));
+  }
+  const auto view = index_of(b.gltf, json, "bufferView");
+  if (!view) b.gltf.fail(fmt::format("image {} has neither a file nor a buffer view", image));
+  return b.textures.from_bytes(key, buffer_view(b.gltf, *view).bytes);
+}
+
 std::int32_t load_texture(Builder& b, const Json& reference) {
   const auto image = image_of(b.gltf, reference);
   if (!image) {
     b.warnings.add("a texture in a format other than PNG and JPEG is not read");
     return -1;
   }
-  const Json& json = element(b.gltf, "images", *image);
-  if (const std::string uri = string_of(b.gltf, json, "uri"); !uri.empty()) {
-    if (!is_data_uri(uri)) return b.textures.from_file(decode_uri(uri));
-    return b.textures.from_bytes(fmt::format("image {}", *image),
-                                 uri_bytes(b.gltf, uri).value_or(""));
-  }
-  const auto view = index_of(b.gltf, json, "bufferView");
-  if (!view) b.gltf.fail(fmt::format("image {} has neither a file nor a buffer view", *image));
-  return b.textures.from_bytes(fmt::format("image {}", *image), buffer_view(b.gltf, *view).bytes);
+  const auto known = b.loaded.find(*image);
+  return known != b.loaded.end() ? known->second
+                                 : b.loaded.emplace(*image, load_image(b, *image)).first->second;
 }
 
-/// The mean of an image that holds numbers, not colours; white where it cannot be had.
-Color mean_of(Builder& b, const Json& reference) {
-  constexpr std::size_t most_pixels = std::size_t{1} << 26;
-  const auto image = image_of(b.gltf, reference);
-  if (!image) return {1, 1, 1};
-  const Json& json = element(b.gltf, "images", *image);
-  std::optional<Texture> texture;
-  if (const std::string uri = string_of(b.gltf, json, "uri"); !uri.empty()) {
-    if (const auto bytes = uri_bytes(b.gltf, uri))
-      texture = decode_texture(*bytes, ImageCoding::plain, most_pixels);
-  } else if (const auto view = index_of(b.gltf, json, "bufferView")) {
-    texture = decode_texture(buffer_view(b.gltf, *view).bytes, ImageCoding::plain, most_pixels);
+std::optional<Texture> decode_image(const GltfDocument& gltf, std::size_t image,
+                                    ImageCoding coding) {
+  const auto decode = [&](std::string_view bytes) {
+    return decode_texture(bytes, coding, most_pixels_of(bytes.size()) / 2);
+  };
+  const Json& json = element(gltf, "images", image);
+  if (const std::string uri = string_of(gltf, json, "uri"); !uri.empty()) {
+    const auto bytes = uri_bytes(gltf, uri);
+    return bytes ? decode(*bytes) : std::nullopt;
   }
-  if (!texture || texture->pixels.empty()) return {1, 1, 1};
+  const auto view = index_of(gltf, json, "bufferView");
+  return view ? decode(buffer_view(gltf, *view).bytes) : std::nullopt;
+}
+
+/// Of an image; white where it cannot be had. Decoded once, however many materials have it.
+Summary summary_of(Builder& b, const Json& reference, ImageCoding coding) {
+  const auto image = image_of(b.gltf, reference);
+  if (!image) return {};
+  const auto [entry, is_new] = b.summaries.try_emplace({*image, coding});
+  if (!is_new) return entry->second;
+  const std::optional<Texture> texture = decode_image(b.gltf, *image, coding);
+  if (!texture || texture->pixels.empty()) return {};
   Vec3d sum;
-  for (Color c : texture->pixels) sum += Vec3d(c);
-  return Color(sum / static_cast<double>(texture->pixels.size()));
+  float brightest = 0;
+  for (const Color c : texture->pixels) {
+    sum += Vec3d(c);
+    brightest = std::max(brightest, max_abs(c));
+  }
+  entry->second = {Color(sum / static_cast<double>(texture->pixels.size())), brightest};
+  return entry->second;
 }
 
 GltfUvUse uv_use(const GltfDocument& gltf, const Json& reference) {
@@ -100,7 +129,7 @@ void set_metal_and_glass(Builder& b, const Json& json, Material& m) {
   double roughness = std::clamp(number_of(b.gltf, pbr, "roughnessFactor", 1), 0.0, 1.0);
   if (const Json* map = member(pbr, "metallicRoughnessTexture"); map && metal > 0) {
     // One material has one metalness here: the mean of the map's.
-    const Color mean = mean_of(b, *map);
+    const Color mean = summary_of(b, *map, ImageCoding::plain).mean;
     roughness *= static_cast<double>(mean.y), metal *= static_cast<double>(mean.z);
   }
   const Color base = m.diffuse;
@@ -136,17 +165,46 @@ void set_specular_glossiness(const GltfDocument& gltf, const Json& specular, Mat
   set_highlight(m, color_of(gltf, specular, "specularFactor", 3, {1, 1, 1}) * 0.1f, 1 - glossiness);
 }
 
+const char* base_factor_key(const Json& json) {
+  return extension(json, "KHR_materials_pbrSpecularGlossiness") ? "diffuseFactor"
+                                                                : "baseColorFactor";
+}
+
 void set_emission(Builder& b, const Json& json, Material& m) {
-  const Color factor = color_of(b.gltf, json, "emissiveFactor", 3, {});
+  Color factor = color_of(b.gltf, json, "emissiveFactor", 3, {});
   if (max_abs(factor) == 0) return;
-  if (member(json, "emissiveTexture")) {
-    b.warnings.add("textures of glowing surfaces are not read; those do not glow");
-    return;
+  if (const Json* map = member(json, "emissiveTexture")) {
+    const Summary image = summary_of(b, *map, ImageCoding::srgb);
+    // A surface with a few bright spots would be a lamp all over, and cast no shadow as lamps do.
+    if (!(max_abs(image.mean) >= 0.5f * image.brightest)) {
+      b.warnings.add("a glowing surface whose texture is mostly dark does not glow");
+      return;
+    }
+    if (max_abs(image.mean) < 0.99f * image.brightest)
+      b.warnings.add("a texture that glows is taken as its mean");
+    factor = factor * image.mean;
   }
   double strength = 1;
   if (const Json* e = extension(json, "KHR_materials_emissive_strength"))
     strength = std::max(number_of(b.gltf, *e, "emissiveStrength", 1), 0.0);
   m.emission = factor * static_cast<float>(strength);
+  const Json* is_double_sided = member(json, "doubleSided");
+  m.emits_from_back = is_double_sided && *is_double_sided == true;
+}
+
+/// What the factor leaves out of a blended surface goes straight through; textures' alpha does not.
+void set_alpha(Builder& b, const Json& json, const Json* base, Material& m) {
+  const std::string mode = string_of(b.gltf, json, "alphaMode");
+  if (mode.empty() || mode == "OPAQUE") return;
+  const auto factor = base ? numbers_of(b.gltf, *base, base_factor_key(json), 4) : std::nullopt;
+  const double alpha = factor ? std::clamp((*factor)[3], 0.0, 1.0) : 1;
+  if (mode == "BLEND" && alpha < 1) {
+    const auto through = static_cast<float>(1 - alpha);
+    m.transmission = min(m.transmission + Color{through, through, through}, Color{1, 1, 1});
+    for (Color* part : {&m.diffuse, &m.highlight, &m.mirror}) *part *= static_cast<float>(alpha);
+  }
+  if (m.texture >= 0 || alpha == 1)
+    b.warnings.add("alpha of textures and vertices is not read: what they cut out is drawn");
 }
 
 GltfUvUse add_material(Builder& b, const Json& json, Scene& scene) {
@@ -158,8 +216,7 @@ GltfUvUse add_material(Builder& b, const Json& json, Scene& scene) {
   const Json* base = specular ? specular : pbr;
   m.diffuse = {1, 1, 1};
   if (base) {
-    m.diffuse =
-        color_of(b.gltf, *base, specular ? "diffuseFactor" : "baseColorFactor", 4, {1, 1, 1});
+    m.diffuse = color_of(b.gltf, *base, base_factor_key(json), 4, {1, 1, 1});
     if (const Json* map = member(*base, specular ? "diffuseTexture" : "baseColorTexture")) {
       m.texture = load_texture(b, *map);
       use = uv_use(b.gltf, *map);
@@ -170,9 +227,7 @@ GltfUvUse add_material(Builder& b, const Json& json, Scene& scene) {
   else
     set_metal_and_glass(b, json, m);
   set_emission(b, json, m);
-  const std::string alpha = string_of(b.gltf, json, "alphaMode");
-  if (!alpha.empty() && alpha != "OPAQUE")
-    b.warnings.add("alpha is not read: see-through parts are drawn opaque");
+  set_alpha(b, json, base, m);
   scene.materials.push_back(std::move(m));
   return use;
 }
@@ -188,7 +243,7 @@ Vec2f to_uv(const GltfUvUse& use, float u, float v) {
 
 std::vector<GltfUvUse> add_materials(const GltfDocument& gltf, Scene& scene,
                                      TextureLoader& textures, Warnings& warnings) {
-  Builder builder{gltf, textures, warnings};
+  Builder builder{gltf, textures, warnings, {}, {}};
   std::vector<GltfUvUse> uses;
   const std::size_t count = element_count(gltf, "materials");
   for (std::size_t i = 0; i < count; ++i)

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "penumbra/scene_io/gltf_accessor.h"
+#include "penumbra/scene_io/gltf_extensions.h"
 
 namespace penumbra {
 
@@ -73,8 +74,7 @@ void read_vertices(GltfDocument& gltf, const Json& attributes, const GltfRows& p
 std::optional<Mesh> read_primitive(GltfDocument& gltf, const Json& json,
                                    const std::vector<GltfUvUse>& uv_uses, Warnings& warnings) {
   if (extension(json, "KHR_draco_mesh_compression"))
-    gltf.fail("its meshes are compressed (KHR_draco_mesh_compression), which is not read",
-              "export it without compression");
+    refuse_compression(gltf, "KHR_draco_mesh_compression");
   const std::size_t mode = index_of(gltf, json, "mode").value_or(4);
   if (mode > 6) gltf.fail(fmt::format("a mesh primitive has the unknown mode {}", mode));
   if (mode < 4) {

@@ -130,8 +130,9 @@ void PlyBody::check_count(const PlyElement& element) const {
     least += least_bytes(property.count_type.value_or(property.type));
   if (least == 0 || element.count <= (remaining() + 1) / least) return;
   throw Error({file_, element.line, {}},
-              "the header claims " + std::to_string(element.count) + " rows of `" + element.name +
-                  "`, but only " + std::to_string(remaining()) + " bytes follow",
+              "the header claims " + std::to_string(element.count) + " rows of " +
+                  in_quotes(element.name) + ", but only " + std::to_string(remaining()) +
+                  " bytes follow",
               "the file may be cut off");
 }
 

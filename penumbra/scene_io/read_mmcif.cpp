@@ -23,10 +23,11 @@ cif::Document parse(const Source& source) {
     return cif::read_memory(source.bytes.data(), source.bytes.size(), file.c_str());
   } catch (const tao::pegtl::parse_error& error) {
     throw Error({file, error.positions().front().line, {}},
-                fmt::format("broken mmCIF: {}", error.message()),
+                fmt::format("broken mmCIF: {:.200}", error.message()),
                 "is the file damaged or cut off?");
   } catch (const std::exception& error) {
-    throw Error({{}, {}, {}}, error.what(), "is the file damaged?");
+    throw Error({file, {}, {}}, fmt::format("broken mmCIF: {:.200}", error.what()),
+                "is the file damaged?");
   }
 }
 

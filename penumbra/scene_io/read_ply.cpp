@@ -135,7 +135,7 @@ std::size_t corner_list(const PlyElement& element, const std::string& file) {
     ++lists;
   }
   if (lists == 1) return found;
-  throw Error({file, element.line, {}}, "`" + element.name + "` has no list of vertices",
+  throw Error({file, element.line, {}}, in_quotes(element.name) + " has no list of vertices",
               "name it vertex_indices");
 }
 

@@ -81,10 +81,6 @@ Scene read(const Source& source, Format format, const ReadOptions& options, Warn
               "(.dae, .fbx, .3ds, .off, .x3d and others), each also as .gz");
 }
 
-}  // namespace
-
-namespace {
-
 /// Scenes are in single precision: far from the origin little of a small model is left.
 void warn_of_lost_digits(const Scene& scene, Warnings& warnings) {
   const Box box = object_bounds(scene.shapes);
@@ -97,10 +93,6 @@ void warn_of_lost_digits(const Scene& scene, Warnings& warnings) {
                     step, box.largest_extent()));
 }
 
-}  // namespace
-
-namespace {
-
 void settle(Scene& scene, Warnings& warnings) {
   if (const std::size_t count = settle_instances(scene.shapes).stretched; count > 0)
     warnings.add(fmt::format("{} round shape{} stretched by instances: drawn as meshes", count,
@@ -109,15 +101,15 @@ void settle(Scene& scene, Warnings& warnings) {
 
 }  // namespace
 
-SceneFile read_scene(const std::filesystem::path& path, const ReadOptions& options) {
-  Source source = load(path);
-  Warnings warnings(path.string());
+SceneFile read_source(Source source, const ReadOptions& options) {
+  const std::string name = source.path.string();
+  Warnings warnings(name);
   if (source.bytes.empty())
-    throw Error({path.string(), {}, {}}, "the file is empty", "check how it was made");
+    throw Error({name, {}, {}}, "the file is empty", "check how it was made");
   const Format format = choose_format(source, warnings);
   SceneFile file;
   file.scene = read(source, format, options, warnings);
-  file.scene.name = path.string();
+  file.scene.name = name;
   settle(file.scene, warnings);
   const ValidationReport report = validate(file.scene);
   if (const std::size_t count = report.degenerate_triangles; count > 0)
@@ -126,6 +118,10 @@ SceneFile read_scene(const std::filesystem::path& path, const ReadOptions& optio
   warn_of_lost_digits(file.scene, warnings);
   file.warnings = warnings.lines();
   return file;
+}
+
+SceneFile read_scene(const std::filesystem::path& path, const ReadOptions& options) {
+  return read_source(load(path), options);
 }
 
 }  // namespace penumbra

@@ -141,7 +141,15 @@ Source load(const std::filesystem::path& path) {
   return source;
 }
 
+bool Warnings::knows(std::string_view kind) const {
+  return std::any_of(entries_.begin(), entries_.end(),
+                     [&](const Entry& entry) { return entry.kind == kind; });
+}
+
 void Warnings::add(std::string_view kind, std::size_t line) {
+  constexpr std::size_t most_kinds = 50, most_bytes = 300;
+  kind = kind.substr(0, most_bytes);
+  if (entries_.size() >= most_kinds && !knows(kind)) kind = "something else is odd";
   for (Entry& entry : entries_)
     if (entry.kind == kind) {
       ++entry.count;

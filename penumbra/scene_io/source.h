@@ -26,7 +26,8 @@ struct Source {
 /// from gzip).
 Source load(const std::filesystem::path& path);
 
-/// Warnings by kind: the first of each kind is kept with its line, the others are counted.
+/// Warnings by kind: the first of each kind is kept with its line, the others are counted. Kinds
+/// may quote a file: they are cut after 300 bytes, and from the 51st on they are one kind.
 class Warnings {
  public:
   explicit Warnings(std::string file) : file_(std::move(file)) {}
@@ -40,9 +41,14 @@ class Warnings {
     std::string kind;
     std::size_t line = 0, count = 0;
   };
+  bool knows(std::string_view kind) const;
+
   std::string file_;
   std::vector<Entry> entries_;
 };
+
+/// What `read_scene` does with a file once it is loaded.
+SceneFile read_source(Source source, const ReadOptions& options);
 
 // The readers: bytes in, a scene out, not yet validated. All throw Error with line or byte.
 Scene read_nff(const Source& source, Warnings& warnings);

@@ -75,6 +75,13 @@ std::optional<Texture> decode_texture(std::string_view bytes, ImageCoding coding
                     codes.get(), coding);
 }
 
+std::size_t most_pixels_of(std::size_t bytes) {
+  constexpr std::size_t always = std::size_t{1} << 25, most = std::size_t{1} << 27;
+  constexpr std::size_t free_bytes = 1'000'000;
+  const std::size_t earning = bytes - std::min(bytes, free_bytes);
+  return always + std::min(earning, (most - always) / 16) * 16;
+}
+
 std::optional<std::filesystem::path> find_beside(const std::filesystem::path& beside,
                                                  std::string_view name) {
   std::string text(name);
@@ -91,6 +98,12 @@ std::optional<std::filesystem::path> find_beside(const std::filesystem::path& be
   return std::nullopt;
 }
 
+std::string file_key(const std::filesystem::path& path) {
+  std::error_code problem;
+  const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, problem);
+  return problem ? path.string() : canonical.string();
+}
+
 std::int32_t TextureLoader::from_file(std::string_view name, std::size_t line) {
   const std::string key = "file " + std::string(name);
   if (const auto known = known_.find(key); known != known_.end()) return known->second;
@@ -99,8 +112,11 @@ std::int32_t TextureLoader::from_file(std::string_view name, std::size_t line) {
     warnings_.add(fmt::format("the texture '{}' is missing; its surfaces are plain", name), line);
     return known_[key] = -1;
   }
+  const std::string file = "file " + file_key(*path);
+  if (const auto known = known_.find(file); known != known_.end())
+    return known_[key] = known->second;
   try {
-    return from_bytes(key, load(*path).bytes);
+    return known_[key] = known_[file] = from_bytes(key, load(*path).bytes);
   } catch (const Error& error) {
     warnings_.add(fmt::format("the texture '{}' cannot be read: {}", name, error.problem), line);
     return known_[key] = -1;
@@ -109,7 +125,8 @@ std::int32_t TextureLoader::from_file(std::string_view name, std::size_t line) {
 
 std::int32_t TextureLoader::from_bytes(const std::string& key, std::string_view bytes) {
   if (const auto known = known_.find(key); known != known_.end()) return known->second;
-  auto texture = decode_texture(bytes, ImageCoding::srgb, pixels_left_);
+  bytes_ += bytes.size();
+  auto texture = decode_texture(bytes, ImageCoding::srgb, most_pixels_of(bytes_) - pixels_);
   if (!texture) {
     warnings_.add(
         fmt::format("the image of {} is no PNG, JPEG, TGA or BMP, is damaged, or is too large; its "
@@ -117,7 +134,7 @@ std::int32_t TextureLoader::from_bytes(const std::string& key, std::string_view 
                     key));
     return known_[key] = -1;
   }
-  pixels_left_ -= texture->pixels.size();
+  pixels_ += texture->pixels.size();
   scene_.textures.push_back(std::move(*texture));
   return known_[key] = static_cast<std::int32_t>(scene_.textures.size()) - 1;
 }

@@ -31,8 +31,15 @@ std::optional<Texture> decode_texture(std::string_view bytes, ImageCoding coding
 std::optional<std::filesystem::path> find_beside(const std::filesystem::path& beside,
                                                  std::string_view name);
 
-/// Puts textures into a scene: each file is decoded once, all of them together stay below 2^27
-/// pixels. What cannot be had is one warning, and -1 (no texture).
+/// The same for all names of a file.
+std::string file_key(const std::filesystem::path& path);
+
+/// How many pixels images of so many bytes together may have: 2^25, and 16 for each byte beyond the
+/// first million, up to 2^27. Packed well, a small file could hold far more.
+std::size_t most_pixels_of(std::size_t bytes);
+
+/// Puts textures into a scene: each file is decoded once, all of them together stay below
+/// `most_pixels_of` their bytes. What cannot be had is one warning, and -1 (no texture).
 class TextureLoader {
  public:
   TextureLoader(const Source& source, Scene& scene, Warnings& warnings)
@@ -48,7 +55,7 @@ class TextureLoader {
   Scene& scene_;
   Warnings& warnings_;
   std::map<std::string, std::int32_t> known_;
-  std::size_t pixels_left_ = std::size_t{1} << 27;
+  std::size_t bytes_ = 0, pixels_ = 0;  ///< of all images so far
 };
 
 }  // namespace penumbra

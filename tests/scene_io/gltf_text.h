@@ -38,6 +38,7 @@ inline std::string tiny_jpeg_base64() {
 
 struct GltfText {
   std::string scene_nodes = "0", nodes = R"({"mesh":0})", primitive, rest, buffer_uri;
+  std::string more_views, more_buffers;
   std::string positions = R"("bufferView":0,"componentType":5126,"type":"VEC3","count":4)";
   std::string indices = R"("bufferView":1,"componentType":5121,"count":3)";
 
@@ -62,9 +63,9 @@ struct GltfText {
            R"(}],"bufferViews":[{"buffer":0,"byteLength":48},
     {"buffer":0,"byteOffset":48,"byteLength":4},{"buffer":0,"byteOffset":52,"byteLength":8},
     {"buffer":0,"byteOffset":60,"byteLength":16},{"buffer":0,"byteOffset":48,"byteLength":4},
-    {"buffer":0,"byteOffset":60,"byteLength":1000}],
-    "buffers":[{"byteLength":76)" +
-           buffer + "}]" + rest + "}";
+    {"buffer":0,"byteOffset":60,"byteLength":1000})" +
+           more_views + R"(],"buffers":[{"byteLength":76)" + buffer + "}" + more_buffers + "]" +
+           rest + "}";
   }
 
   std::string json() const {

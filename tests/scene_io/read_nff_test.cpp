@@ -172,8 +172,8 @@ TEST(ReadNff, errors_name_the_line) {
   check("#! ambient 1 1", "1", "the end");
   check("#! ground 5", "1", "`5`");
   check("#! parallel 5", "1", "no view before");
-  check("v\nfrom 0 0 5\nat 0 0 0\nangle 40\n#! parallel 0", "5", "above 0");
-  check("v\nfrom 0 0 5\nat 0 0 0\nangle 40\n#! window 0 0 1", "5", "the end");
+  check("v\nfrom 0 -5 0\nat 0 0 0\nangle 40\n#! parallel 0", "5", "above 0");
+  check("v\nfrom 0 -5 0\nat 0 0 0\nangle 40\n#! window 0 0 1", "5", "the end");
   check("#! beam 0 0 1 20 30", "1", "no light");
   check("l 0 0 0\n\n#! beam 0 0 1 30 20", "3", "out of order");
   check("#! light sun 0 0 1 1 beam 0 0 1 20 30", "1", "a sun with a beam");

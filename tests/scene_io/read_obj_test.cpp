@@ -200,12 +200,13 @@ TEST(ReadMtl, textures_are_found_beside_the_file_and_read_once) {
   const Read result = read(
       load(folder.put("t.obj", "mtllib m.mtl\n" + square +
                                    "usemtl a\nf 1 2 3\nusemtl b\nf 1 3 4\nusemtl c\nf 1 2 4")));
-  ASSERT_EQ(result.scene.textures.size(), 2u);
+  ASSERT_EQ(result.scene.textures.size(), 1u);
   EXPECT_EQ(result.scene.textures[0].pixels[0], (Color{1, 0, 0}));
   EXPECT_EQ(result.scene.textures[0].pixels[1], (Color{0, 1, 0}));
   const auto& materials = result.scene.materials;
   EXPECT_EQ(materials[1].texture, 0);
   EXPECT_EQ(materials[1].diffuse, (Color{1, 1, 1}));
+  EXPECT_EQ(materials[2].texture, 0);
   EXPECT_EQ(materials[3].texture, -1);
   ASSERT_EQ(result.warnings.size(), 1u);
   EXPECT_TRUE(holds(result.warnings[0], "the texture 'none.png' is missing"));

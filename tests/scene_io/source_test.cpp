@@ -95,6 +95,15 @@ TEST_F(SourceTest, files_are_written_whole_or_not_at_all) {
   EXPECT_EQ(std::distance(begin(entries), end(entries)), 2);
 }
 
+TEST(Warnings, are_few_and_short_whatever_the_file_says) {
+  Warnings warnings("a.nff");
+  for (int i = 0; i < 100'000; ++i)
+    warnings.add("odd " + std::to_string(i) + std::string(1000, 'x'));
+  EXPECT_EQ(warnings.lines().size(), 51u);
+  for (const std::string& line : warnings.lines()) EXPECT_LT(line.size(), 400u);
+  EXPECT_TRUE(holds(warnings.lines().back(), "(and 99949 more)"));
+}
+
 TEST(Warnings, keep_the_first_of_a_kind_and_count) {
   Warnings warnings("a.nff");
   warnings.add("odd", 3);

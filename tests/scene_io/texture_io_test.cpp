@@ -81,5 +81,12 @@ TEST(TextureLoader, damaged_files_are_a_warning_and_no_texture) {
   EXPECT_TRUE(holds(warnings.lines()[0], "a.png is no PNG"));
 }
 
+TEST(MostPixels, of_small_files_are_bounded_and_of_large_ones_earned) {
+  EXPECT_EQ(most_pixels_of(0), std::size_t{1} << 25);
+  EXPECT_EQ(most_pixels_of(1'000'000), std::size_t{1} << 25);
+  EXPECT_EQ(most_pixels_of(2'000'000), (std::size_t{1} << 25) + 16'000'000);
+  EXPECT_EQ(most_pixels_of(1'000'000'000), std::size_t{1} << 27);
+}
+
 }  // namespace
 }  // namespace penumbra
