@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "scene_options.h"
 
+#include <fmt/format.h>
+
 #include <CLI/App.hpp>
 
+#include <cstdio>
 #include <limits>
 
 #include "options.h"
 #include "penumbra/scene_io/numbers.h"
+#include "penumbra/scene_io/radiance_view.h"
 #include "usage_error.h"
 
 namespace penumbra {
@@ -30,6 +34,9 @@ void add_scene_options(CLI::App& command, SceneWishes& w) {
       [&w](Text text) { w.complete.up = parse_vector(text); });
   add("--fov", "DEG", "Vertical field of view",
       [&w](Text text) { w.complete.fov_deg = parse_number(text, 0.001, 179.999); });
+  command.add_option("--view", w.view, "A view of Radiance's: a view file, or options like rvu's")
+      ->type_name("FILE|OPTIONS")
+      ->group("Scene");
   add("--ground", "auto|none|HEIGHT", "A floor (default auto: under bare models)",
       [&w](Text text) { w.complete.ground = parse_ground(text); });
   add("--background", "r,g,b", "Colour where nothing is hit",
@@ -74,6 +81,11 @@ void take_back_scenes(SceneWishes& wishes, std::vector<std::string>& scenes) {
 }
 
 void finish(SceneWishes& w) {
+  if (!w.view.empty()) {
+    const RadianceView view = parse_radiance_view(w.view);
+    if (!view.warning.empty()) fmt::print(stderr, "warning: {}\n", view.warning);
+    w.complete.camera = view.camera;
+  }
   w.complete.lights = parse_lights(w.light_words);
   if (w.complete.from && w.complete.at && *w.complete.from == *w.complete.at)
     throw UsageError("--from and --at are the same point");
