@@ -80,12 +80,23 @@ void take_back_scenes(SceneWishes& wishes, std::vector<std::string>& scenes) {
   }
 }
 
-void finish(SceneWishes& w) {
-  if (!w.view.empty()) {
-    const RadianceView view = parse_radiance_view(w.view);
-    if (!view.warning.empty()) fmt::print(stderr, "warning: {}\n", view.warning);
-    w.complete.camera = view.camera;
+namespace {
+
+Camera parse_view(const std::string& text) {
+  try {
+    const RadianceView view = parse_radiance_view(text);
+    if (!view.warning.empty()) fmt::print(stderr, "warning: --view: {}\n", view.warning);
+    return view.camera;
+  } catch (const Error& error) {
+    if (!error.place.file.empty()) throw;
+    throw UsageError("--view: " + error.problem + "; " + error.hint);
   }
+}
+
+}  // namespace
+
+void finish(SceneWishes& w) {
+  if (!w.view.empty()) w.complete.camera = parse_view(w.view);
   w.complete.lights = parse_lights(w.light_words);
   if (w.complete.from && w.complete.at && *w.complete.from == *w.complete.at)
     throw UsageError("--from and --at are the same point");

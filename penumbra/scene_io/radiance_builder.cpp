@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,10 +13,11 @@
 namespace penumbra {
 namespace {
 
-constexpr std::size_t most_placements = std::size_t{1} << 20;
+constexpr std::size_t most_placements = std::size_t{1} << 19;
 constexpr std::size_t deepest = 64;
-/// What a placement costs beside its statements: it keeps memory.
-constexpr std::size_t placement_cost = 32;
+// In statements: what a placement costs when it is listed and when it is made, and a surface of a
+// file that becomes another group. All keep memory.
+constexpr std::size_t listing_cost = 16, placement_cost = 16, surface_cost = 4;
 
 Error::Place place_of(const RadianceFile& file, const RadiancePrimitive& p) {
   return {file.path.string(), p.line, {}};
@@ -50,9 +52,10 @@ void RadianceBuilder::warn(const std::string& kind, const RadianceFile& file, st
 
 void RadianceBuilder::spend(std::size_t statements, const RadianceFile& file) {
   if (statements > statements_left_)
-    throw Error({file.path.string(), {}, {}},
-                "its commands expand to more than 30 million statements or a million placements",
-                "use smaller arrays, or split the scene");
+    throw Error(
+        {file.path.string(), {}, {}},
+        "its commands expand to more than 16 million statements or half a million placements",
+        "use smaller arrays, or split the scene");
   statements_left_ -= statements;
 }
 
@@ -81,7 +84,8 @@ RadianceBuilder::Surfaces RadianceBuilder::read_statements(const RadianceFile& f
   if (open_.size() == deepest)
     throw Error({file.path.string(), {}, {}}, "more than 64 files include one another",
                 "join some of them");
-  spend(placement_cost + file.statements.size(), file);
+  // A file's first time is paid for by its length.
+  spend(placement_cost + (known_.insert(&file).second ? 0 : file.statements.size()), file);
   open_.push_back(&file);
   Surfaces surfaces;
   for (const RadiancePrimitive& p : file.statements) {
@@ -143,6 +147,7 @@ void RadianceBuilder::parse(const RadianceFile& file, const RadiancePrimitive& p
           words, most_placements / result.placements.size(),
           [&](const std::string& name) { return library_.text(name, place); }, place);
       names = xform.files;
+      spend(listing_cost * xform.placements.size() * result.placements.size(), file);
       std::vector<RadiancePlacement> placements;
       for (const Transform& map : xform.placements)
         for (const RadiancePlacement& inner : result.placements)
@@ -177,6 +182,7 @@ std::uint32_t RadianceBuilder::group_of(const RadianceFile& file, const Surfaces
   const auto [group, is_new] =
       groups_.try_emplace({&file, is_inverted, std::move(materials)}, next);
   if (!is_new) return group->second;
+  if (!grouped_.insert(&file).second) spend(surface_cost * surfaces.size(), file);
   ShapeSet shapes;
   Mesh polygons;
   add_shapes(shapes, polygons, file, surfaces, is_inverted);
@@ -193,6 +199,18 @@ void RadianceBuilder::add_shapes(ShapeSet& shapes, Mesh& polygons, const Radianc
       warn("surfaces without any size are left out", file, s.primitive->line);
     add_shape(shapes, polygons, shape, s.surface);
   }
+}
+
+void RadianceBuilder::warn_of(std::uint32_t modifier, const RadianceLook& look,
+                              const RadianceFile& file, const RadiancePrimitive& p) {
+  constexpr std::uint32_t none = RadianceModifier::none;
+  if (!look.warning.empty()) warn(look.warning, file, p.line);
+  if ((modifier == none || modifiers_[modifier].material == none) && p.type != "source")
+    warn("surfaces without a material (void) are grey", file, p.line);
+  const std::uint32_t odd = modifier == none ? none : modifiers_[modifier].oddity;
+  if (odd == none) return;
+  warn(fmt::format("{} is not drawn: its surfaces are plain", modifiers_[odd].primitive->type),
+       file, p.line);
 }
 
 std::optional<std::uint32_t> RadianceBuilder::read_surface(const RadianceFile& file,
@@ -212,13 +230,7 @@ std::optional<std::uint32_t> RadianceBuilder::read_surface(const RadianceFile& f
   const std::uint32_t modifier =
       modifiers_.find(placement.modifier.empty() ? p.modifier : placement.modifier, file, p);
   const RadianceLook& look = look_of(modifier);
-  if (modifier == RadianceModifier::none || modifiers_[modifier].material == RadianceModifier::none)
-    warn("surfaces without a material (void) are grey", file, p.line);
-  if (!look.warning.empty()) warn(look.warning, file, p.line);
-  if (modifier != RadianceModifier::none)
-    if (const std::uint32_t odd = modifiers_[modifier].oddity; odd != RadianceModifier::none)
-      warn(fmt::format("{} is not drawn: its surfaces are plain", modifiers_[odd].primitive->type),
-           file, p.line);
+  if (warned_.insert(modifier).second) warn_of(modifier, look, file, p);
   if (!look.is_drawn) return std::nullopt;
   const bool lights =
       look.emission == RadianceEmission::light || look.emission == RadianceEmission::illum;

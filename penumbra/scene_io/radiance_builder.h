@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -32,8 +33,8 @@ struct RadiancePlacement {
 
 /// Surfaces of the scene's own files go into the scene as they are. Those of other files become a
 /// group, placed as often as the file is: one for each set of materials that its names lead to.
-/// What lights the scene is always placed one by one. Expansion is bounded: 2^25 statements, 2^20
-/// placements, 64 files one inside the other.
+/// What lights the scene is always placed one by one. Expansion is bounded: 2^24 statements of
+/// files that were read before, 2^19 placements, 64 files one inside the other.
 class RadianceBuilder {
  public:
   RadianceBuilder(Scene& scene, Warnings& warnings, std::filesystem::path main);
@@ -91,6 +92,9 @@ class RadianceBuilder {
   std::uint32_t glowing_material(std::uint32_t modifier);
   /// A material that glows but lights nothing by itself, since a light is there for it.
   std::uint32_t seen_material(std::uint32_t modifier);
+  /// What its material is not drawn with, once a material.
+  void warn_of(std::uint32_t modifier, const RadianceLook& look, const RadianceFile& file,
+               const RadiancePrimitive& p);
   void warn(const std::string& kind, const RadianceFile& file, std::size_t line);
   void spend(std::size_t statements, const RadianceFile& file);
 
@@ -109,7 +113,9 @@ class RadianceBuilder {
   std::map<std::tuple<const RadianceFile*, bool, std::vector<std::uint32_t>>, std::uint32_t>
       groups_;
   std::map<std::string, std::string> kinds_;
-  std::size_t statements_left_ = std::size_t{1} << 25;
+  std::set<std::uint32_t> warned_;
+  std::set<const RadianceFile*> known_, grouped_;  ///< read before; become a group before
+  std::size_t statements_left_ = std::size_t{1} << 24;
 };
 
 }  // namespace penumbra

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/scene_io/radiance_commands.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "penumbra/scene_io/numbers.h"

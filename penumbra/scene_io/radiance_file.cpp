@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -47,11 +48,11 @@ void read_arguments(RadianceWords& words, RadiancePrimitive& p) {
   const auto what = [&](const char* kind) {
     return fmt::format("{} of {} {}", kind, p.type, in_quotes(p.name));
   };
-  const std::size_t word_count = words.count(what("how many words follow"));
+  const std::size_t word_count = words.count(what("the number of words"));
   for (std::size_t i = 0; i < word_count; ++i) p.words.push_back(take(words, what("a word")));
-  const std::size_t integers = words.count(what("how many integers follow"));
+  const std::size_t integers = words.count(what("the number of integers"));
   for (std::size_t i = 0; i < integers; ++i) words.number(what("an integer"));
-  const std::size_t numbers = words.count(what("how many numbers follow"));
+  const std::size_t numbers = words.count(what("the number of numbers"));
   const std::string number = what("a number");
   p.numbers.reserve(numbers);
   for (std::size_t i = 0; i < numbers; ++i) p.numbers.push_back(words.number(number));

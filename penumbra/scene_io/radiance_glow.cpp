@@ -2,6 +2,7 @@
 // RadianceBuilder's materials, and what becomes of surfaces that glow.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 

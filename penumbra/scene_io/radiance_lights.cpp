@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "penumbra/geometry/centroid.h"
 #include "penumbra/geometry/polygon.h"

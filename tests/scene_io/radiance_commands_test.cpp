@@ -237,7 +237,7 @@ TEST_F(RadianceFiles, hostileOnesEndSoon) {
   folder.put("c.rad", "!xform -t 1 0 0 b.rad\n");
   EXPECT_TRUE(holds(error("!xform b.rad"), "includes itself"));
   folder.put("s.rad", "void sphere s 0 0 4 1 0 0 .5\n");
-  EXPECT_TRUE(holds(error("!xform -a 1000000000 s.rad"), "more than 1048576 placements"));
+  EXPECT_TRUE(holds(error("!xform -a 1000000000 s.rad"), "more than 524288 placements"));
   // Each file places the next one a thousand times.
   folder.put("d3.rad", "!xform -a 1000 -t 1 0 0 s.rad\n");
   folder.put("d2.rad", "!xform -a 1000 -t 0 1 0 d3.rad\n");

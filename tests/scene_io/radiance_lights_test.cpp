@@ -50,7 +50,7 @@ TEST(RadianceLights, ballsAndDisksAreExact) {
 TEST(RadianceLights, aPolygonShinesFromItsFront) {
   const RadianceRead read = read_rad(lamp + "lamp polygon a 0 0 12 0 0 5 0 1 5 1 1 5 1 0 5\n");
   ASSERT_EQ(read.scene.lights.size(), 1u);
-  const Mesh& mesh = all_placed(read.scene).meshes.at(0);
+  const Mesh mesh = all_placed(read.scene).meshes.at(0);
   const Material& material = read.scene.materials[surface_of(mesh, 0)];
   EXPECT_GT(material.emission.x, 0);
   EXPECT_FALSE(material.emits_from_back);
@@ -134,7 +134,7 @@ TEST(RadianceLights, anIllumIsNotSeen) {
 
 TEST(RadianceLights, roundOnesAreClosedMeshesThatLookOutwards) {
   const RadianceRead read = read_rad(lamp + "lamp cylinder tube 0 0 7 -1 0 0 1 0 0 .25\n");
-  const Mesh& mesh = all_placed(read.scene).meshes.at(0);
+  const Mesh mesh = all_placed(read.scene).meshes.at(0);
   const MeshTopology found = topology(mesh);
   EXPECT_EQ(found.boundary_edges, 0u);
   EXPECT_NEAR(six_volume(mesh) / 6, pi / 16 * 2, 0.01);

@@ -74,7 +74,7 @@ TEST(ReadRadiance, aSeamMakesAHole) {
   const RadianceRead read = read_rad(grey +
                                      "grey polygon wall 0 0 30  0 0 0  4 0 0  4 4 0  0 4 0  0 0 0\n"
                                      "  1 1 0  1 3 0  3 3 0  3 1 0  1 1 0\n");
-  const Mesh& mesh = all_placed(read.scene).meshes.at(0);
+  const Mesh mesh = all_placed(read.scene).meshes.at(0);
   EXPECT_DOUBLE_EQ(area(mesh), 12);
   EXPECT_FALSE(covers(mesh, 2.1, 1.9));
   EXPECT_TRUE(covers(mesh, 0.5, 2.1));
@@ -87,7 +87,7 @@ TEST(ReadRadiance, twoHolesOnSeamsOfTheirOwn) {
                "grey polygon wall 0 0 60  0 0 0  1 1 0  1 3 0  2 3 0  2 1 0  1 1 0  0 0 0\n"
                "  8 0 0  7 1 0  6 1 0  6 3 0  7 3 0  7 1 0  8 0 0  8 4 0  0 4 0\n"
                "  0 3.5 0  0 3 0  0 2.5 0  0 2 0\n");
-  const Mesh& mesh = all_placed(read.scene).meshes.at(0);
+  const Mesh mesh = all_placed(read.scene).meshes.at(0);
   EXPECT_NEAR(area(mesh), 32 - 2 - 2, 1e-5);
   EXPECT_FALSE(covers(mesh, 1.5, 2.2));
   EXPECT_FALSE(covers(mesh, 6.4, 1.8));
@@ -106,7 +106,7 @@ TEST(ReadRadiance, namesMeanWhatWasLastDefined) {
   };
   EXPECT_EQ(color(0), Color(1, 0, 0));
   for (std::size_t i : {1u, 2u, 3u, 4u}) EXPECT_EQ(color(i), Color(0, 1, 0)) << i;
-  EXPECT_TRUE(read.warns_of("t.rad:8: texfunc is not drawn")) << read.warnings[0];
+  EXPECT_TRUE(read.warns_of("t.rad:9: texfunc is not drawn")) << read.warnings[0];
 }
 
 TEST(ReadRadiance, patternsAndMixturesLeadToTheirMaterial) {
@@ -222,7 +222,7 @@ TEST(RadianceMaterials, theRestIsDrawnAsWhatIsNearestAndWarnedOf) {
 
 TEST(ReadRadiance, errorsNameTheLineAndWhatToDo) {
   EXPECT_EQ(rad_error("\nwood sphere s 0 0 4 0 0 0 1"),
-            "t.rad:2: no material named `wood` is defined before it, and define it, or put `!xform "
+            "t.rad:2: no material named `wood` is defined before it; define it, or put `!xform "
             "materials.rad` of the file that does before it");
   EXPECT_TRUE(holds(rad_error(grey + "grey box b 0 0 0"), "t.rad:2: `box` is no type"));
   EXPECT_TRUE(holds(rad_error(grey + "grey sphere b 0 0 3 1 2 3\nvoid plastic x 0 0 5 0 0 0 0 0"),
