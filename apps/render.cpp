@@ -94,7 +94,8 @@ constexpr const char* examples =
     "  penumbra render bust.ply -o bust.png\n"
     "  penumbra render balls:4 -o balls.png --shadow-samples 64 --light-radius 5%\n"
     "  penumbra render 1crn.pdb --style space-filling -o crambin.exr --aov class,depth\n"
-    "  penumbra render chair.obj --light sphere 2 4 3 0.5 --light sun 0 1 1 0.53 -o chair.png\n";
+    "  penumbra render chair.obj --light sphere 2 4 3 0.5 --light sun 0 1 1 0.53 -o chair.png\n"
+    "  penumbra render room.rad --view \"-vp 1 -4 2 -vd 0 1 0 -vh 60 -vv 45\" -o room.png\n";
 
 /// Checks what no single option can.
 void check(const Options& o) {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "scene_options.h"
 
+#include <fmt/format.h>
+
 #include <CLI/App.hpp>
 
+#include <cstdio>
 #include <limits>
 
 #include "options.h"
 #include "penumbra/scene_io/numbers.h"
+#include "penumbra/scene_io/radiance_view.h"
 #include "usage_error.h"
 
 namespace penumbra {
@@ -32,6 +36,9 @@ void add_scene_options(CLI::App& command, SceneWishes& w) {
       [&w](Text text) { w.complete.up = parse_vector(text); });
   add("--fov", "DEG", "Vertical field of view, in perspective",
       [&w](Text text) { w.complete.fov_deg = parse_number(text, 0.001, 179.999); });
+  command.add_option("--view", w.view, "A view of Radiance's: a view file, or options like rvu's")
+      ->type_name("FILE|OPTIONS")
+      ->group("Scene");
   add("--ground", "auto|none|HEIGHT", "A floor (default auto: under bare models)",
       [&w](Text text) { w.complete.ground = parse_ground(text); });
   add("--background", "r,g,b", "Colour where nothing is hit",
@@ -75,7 +82,23 @@ void take_back_scenes(SceneWishes& wishes, std::vector<std::string>& scenes) {
   }
 }
 
+namespace {
+
+Camera parse_view(const std::string& text) {
+  try {
+    const RadianceView view = parse_radiance_view(text);
+    if (!view.warning.empty()) fmt::print(stderr, "warning: --view: {}\n", view.warning);
+    return view.camera;
+  } catch (const Error& error) {
+    if (!error.place.file.empty()) throw;
+    throw UsageError("--view: " + error.problem + "; " + error.hint);
+  }
+}
+
+}  // namespace
+
 void finish(SceneWishes& w) {
+  if (!w.view.empty()) w.complete.camera = parse_view(w.view);
   w.complete.lights = parse_lights(w.light_words);
   if (w.complete.from && w.complete.at && *w.complete.from == *w.complete.at)
     throw UsageError("--from and --at are the same point");

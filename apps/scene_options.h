@@ -20,6 +20,7 @@ struct SceneWishes {
   ReadOptions read;
   SceneOptions complete;
   std::vector<std::string> light_words;  ///< after all `--light` options
+  std::string view;                      ///< of Radiance, as options or a file; empty: none
 };
 
 /// `wishes` must live until the command line is parsed.
@@ -35,8 +36,8 @@ extern const char* const lights_help;
 /// which are missing when `scenes` is empty.
 void take_back_scenes(SceneWishes& wishes, std::vector<std::string>& scenes);
 
-/// After the command line is parsed: fills in the lights and checks what no single option can.
-/// Throws UsageError.
+/// After the command line is parsed: fills in the lights and the view, and checks what no single option
+/// can. Throws UsageError, and Error for a view that cannot be read.
 void finish(SceneWishes& wishes);
 
 }  // namespace penumbra

@@ -84,6 +84,7 @@ Scene complete_scene(Scene scene, const SceneOptions& options) {
     require(normalize(*options.up) != Vec3d{}, "no direction is up", "give --up one that is not 0");
     scene.up = normalize(*options.up);
   }
+  if (options.camera) scene.camera = options.camera;
   const Subject subject = detail::subject_of(scene.shapes);
   scene.camera = choose_camera(scene, subject, options);
   if (!options.lights.empty()) scene.lights = options.lights;

@@ -18,6 +18,7 @@ struct LightRadius {
 enum class GroundChoice { automatic, none };
 
 struct SceneOptions {
+  std::optional<Camera> camera;  ///< replaces the file's; what follows changes it
   std::optional<Vec3d> from, at, up;
   std::optional<double> fov_deg;  ///< makes a parallel camera a perspective one
   std::vector<Light> lights;                ///< if any, they replace the file's

@@ -55,6 +55,7 @@ Scene read_nff(const Source& source, Warnings& warnings);
 Scene read_obj(const Source& source, Warnings& warnings);
 Scene read_ply(const Source& source, Warnings& warnings);
 Scene read_stl(const Source& source, Warnings& warnings);
+Scene read_radiance(const Source& source, Warnings& warnings);
 Scene read_gltf(const Source& source, Warnings& warnings);
 Scene read_molecule(const Source& source, const ReadOptions& options, Warnings& warnings);
 Scene read_assimp(const Source& source, Warnings& warnings);
