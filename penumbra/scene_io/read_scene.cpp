@@ -34,7 +34,7 @@ bool assimp_knows(const std::string& extension) {
   return !extension.empty() && aiIsExtensionSupported(("." + extension).c_str()) == AI_TRUE;
 }
 
-enum class Format { nff, obj, ply, stl, gltf, molecule, other, unknown };
+enum class Format { nff, obj, ply, stl, gltf, pbrt, molecule, other, unknown };
 
 Format format_of(const std::string& extension) {
   if (extension == "nff") return Format::nff;
@@ -42,6 +42,7 @@ Format format_of(const std::string& extension) {
   if (extension == "ply") return Format::ply;
   if (extension == "stl") return Format::stl;
   if (extension == "gltf" || extension == "glb" || extension == "vrm") return Format::gltf;
+  if (extension == "pbrt") return Format::pbrt;
   if (extension == "pdb" || extension == "ent" || extension == "cif" || extension == "mmcif")
     return Format::molecule;
   return assimp_knows(extension) ? Format::other : Format::unknown;
@@ -69,6 +70,7 @@ Scene read(const Source& source, Format format, const ReadOptions& options, Warn
     case Format::ply: return read_ply(source, warnings);
     case Format::stl: return read_stl(source, warnings);
     case Format::gltf: return read_gltf(source, warnings);
+    case Format::pbrt: return read_pbrt(source, warnings);
     case Format::molecule: return read_molecule(source, options, warnings);
     case Format::other: return read_assimp(source, warnings);
     case Format::unknown: break;
@@ -76,7 +78,7 @@ Scene read(const Source& source, Format format, const ReadOptions& options, Warn
   throw Error({source.path.string(), {}, {}},
               source.extension.empty() ? "the file has no extension that names its format"
                                        : "the format ." + source.extension + " is not known",
-              "use .nff, .obj, .ply, .stl, .gltf, .glb, .pdb, .cif, or one that assimp reads "
+              "use .nff, .obj, .ply, .stl, .gltf, .glb, .pbrt, .pdb, .cif, or one that assimp reads "
               "(.dae, .fbx, .3ds, .off, .x3d and others), each also as .gz");
 }
 

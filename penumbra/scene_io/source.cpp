@@ -142,19 +142,22 @@ Source load(const std::filesystem::path& path) {
 }
 
 void Warnings::add(std::string_view kind, std::size_t line) {
+  add(kind, {file_, line ? std::optional(line) : std::nullopt, {}});
+}
+
+void Warnings::add(std::string_view kind, const Error::Place& place) {
   for (Entry& entry : entries_)
     if (entry.kind == kind) {
       ++entry.count;
       return;
     }
-  entries_.push_back({std::string(kind), line, 1});
+  entries_.push_back({std::string(kind), place, 1});
 }
 
 std::vector<std::string> Warnings::lines() const {
   std::vector<std::string> lines;
   for (const Entry& entry : entries_) {
-    const Error::Place place{file_, entry.line ? std::optional(entry.line) : std::nullopt, {}};
-    std::string text = message(place, entry.kind, {});
+    std::string text = message(entry.place, entry.kind, {});
     if (entry.count > 1) text += fmt::format(" (and {} more)", entry.count - 1);
     lines.push_back(std::move(text));
   }
