@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Units: pbrt's radiances L and radiant intensities I become ours times one factor. A white surface
-// shows I / distance² here and I / (pi distance²) there, so radiances get pi times the lights'
-// factor.
 #include "penumbra/scene_io/pbrt_lights.h"
 
 #include <algorithm>
@@ -10,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "penumbra/scene_io/exposure.h"
 #include "penumbra/scene_io/numbers.h"
 #include "penumbra/scene_io/pbrt_spectra.h"
 #include "penumbra/scene_io/texture_io.h"
@@ -177,46 +173,6 @@ std::optional<PbrtGlow> pbrt_glow(PbrtScene& pbrt, double area, std::size_t part
     return std::nullopt;
   }
   return glow;
-}
-
-namespace {
-
-/// All that shines and glows times `factor`; the lights already have theirs.
-void scale_radiance(Scene& scene, Color& surroundings, double factor) {
-  for (Material& material : scene.materials) material.emission = times(material.emission, factor);
-  surroundings = times(surroundings, factor);
-}
-
-double strength(const std::vector<Light>& lights) {
-  double sum = 0;
-  for (const Light& light : lights) sum += static_cast<double>(max_abs(light.intensity));
-  return sum;
-}
-
-}  // namespace
-
-void balance_pbrt(PbrtScene& pbrt) {
-  Scene& scene = pbrt.scene;
-  Color around = pbrt.surroundings.radiance;
-  const double before = strength(scene.lights);
-  if (before > 0) {
-    balance_lights(scene);
-    scale_radiance(scene, around, strength(scene.lights) / before * pi);
-    // Together they make white, not each by itself.
-    const double share = 1 / (1 + static_cast<double>(max_abs(around)));
-    for (Light& light : scene.lights) light.intensity = times(light.intensity, share);
-    scale_radiance(scene, around, share);
-    scene.ambient = around;
-  } else if (pbrt.surroundings.place) {
-    // Nothing here casts a shadow: lamps are hung up (complete_scene), beside which this is dim.
-    constexpr double dim = 0.25;
-    if (max_abs(around) > 1) around = times(around, 1 / static_cast<double>(max_abs(around)));
-    if (max_abs(around) > 0)
-      scene.ambient = times(around, dim / static_cast<double>(max_abs(around)));
-    pbrt.warnings.add("the scene is lit by its surroundings alone; two lamps are added",
-                      *pbrt.surroundings.place);
-  }
-  scene.background = around;
 }
 
 }  // namespace penumbra

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // pbrt-v4's scene files: blocks, and what is done once all is read.
-#include "penumbra/scene/emitters.h"
+#include "penumbra/scene_io/light_emitters.h"
 #include "penumbra/scene_io/numbers.h"
 #include "penumbra/scene_io/pbrt_camera.h"
 #include "penumbra/scene_io/pbrt_lights.h"
@@ -93,9 +93,8 @@ Scene read_pbrt(const Source& source, Warnings& warnings) {
   if (is_empty(pbrt.scene.shapes))
     throw Error({pbrt.scene.name, {}, {}}, "there are no shapes in the scene",
                 "is this the scene's main file?");
-  if (add_emitter_lights(pbrt.scene) > 0)
-    warnings.add("a glowing surface that is no parallelogram does not light the scene");
-  balance_pbrt(pbrt);
+  light_emitters(pbrt.scene, warnings);
+  expose_pbrt(pbrt);
   pbrt.scene.wants_ground = !pbrt.scene.camera && pbrt.scene.lights.empty();
   return std::move(pbrt.scene);
 }
