@@ -35,7 +35,7 @@ bool assimp_knows(const std::string& extension) {
   return !extension.empty() && aiIsExtensionSupported(("." + extension).c_str()) == AI_TRUE;
 }
 
-enum class Format { nff, obj, ply, stl, gltf, radiance, molecule, other, unknown };
+enum class Format { nff, obj, ply, stl, gltf, pbrt, radiance, molecule, other, unknown };
 
 Format format_of(const std::string& extension) {
   if (extension == "nff") return Format::nff;
@@ -43,6 +43,7 @@ Format format_of(const std::string& extension) {
   if (extension == "ply") return Format::ply;
   if (extension == "stl") return Format::stl;
   if (extension == "gltf" || extension == "glb" || extension == "vrm") return Format::gltf;
+  if (extension == "pbrt") return Format::pbrt;
   if (extension == "rad" || extension == "rif") return Format::radiance;
   if (extension == "pdb" || extension == "ent" || extension == "cif" || extension == "mmcif")
     return Format::molecule;
@@ -71,6 +72,7 @@ Scene read(const Source& source, Format format, const ReadOptions& options, Warn
     case Format::ply: return read_ply(source, warnings);
     case Format::stl: return read_stl(source, warnings);
     case Format::gltf: return read_gltf(source, warnings);
+    case Format::pbrt: return read_pbrt(source, warnings);
     case Format::radiance: return read_radiance(source, warnings);
     case Format::molecule: return read_molecule(source, options, warnings);
     case Format::other: return read_assimp(source, warnings);
@@ -79,7 +81,8 @@ Scene read(const Source& source, Format format, const ReadOptions& options, Warn
   throw Error({source.path.string(), {}, {}},
               source.extension.empty() ? "the file has no extension that names its format"
                                        : "the format ." + source.extension + " is not known",
-              "use .nff, .obj, .ply, .stl, .gltf, .glb, .rad, .rif, .pdb, .cif, or one that assimp reads "
+              "use .nff, .obj, .ply, .stl, .gltf, .glb, .pbrt, .rad, .rif, .pdb, .cif, or one that "
+              "assimp reads "
               "(.dae, .fbx, .3ds, .off, .x3d and others), each also as .gz");
 }
 

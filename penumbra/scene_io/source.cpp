@@ -147,6 +147,10 @@ bool Warnings::knows(std::string_view kind) const {
 }
 
 void Warnings::add(std::string_view kind, std::size_t line) {
+  add(kind, {file_, line ? std::optional(line) : std::nullopt, {}});
+}
+
+void Warnings::add(std::string_view kind, const Error::Place& place) {
   constexpr std::size_t most_kinds = 50, most_bytes = 300;
   kind = kind.substr(0, most_bytes);
   if (entries_.size() >= most_kinds && !knows(kind)) kind = "something else is odd";
@@ -155,14 +159,13 @@ void Warnings::add(std::string_view kind, std::size_t line) {
       ++entry.count;
       return;
     }
-  entries_.push_back({std::string(kind), line, 1});
+  entries_.push_back({std::string(kind), place, 1});
 }
 
 std::vector<std::string> Warnings::lines() const {
   std::vector<std::string> lines;
   for (const Entry& entry : entries_) {
-    const Error::Place place{file_, entry.line ? std::optional(entry.line) : std::nullopt, {}};
-    std::string text = message(place, entry.kind, {});
+    std::string text = message(entry.place, entry.kind, {});
     if (entry.count > 1) text += fmt::format(" (and {} more)", entry.count - 1);
     lines.push_back(std::move(text));
   }

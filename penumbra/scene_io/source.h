@@ -33,13 +33,16 @@ class Warnings {
   explicit Warnings(std::string file) : file_(std::move(file)) {}
   /// `kind` is the text that makes two warnings the same; line 0: none known.
   void add(std::string_view kind, std::size_t line = 0);
+  /// The same for what stands in another file, or may do so.
+  void add(std::string_view kind, const Error::Place& place);
   /// "file:line: kind (and N more)"
   std::vector<std::string> lines() const;
 
  private:
   struct Entry {
     std::string kind;
-    std::size_t line = 0, count = 0;
+    Error::Place place;
+    std::size_t count = 0;
   };
   bool knows(std::string_view kind) const;
 
@@ -57,6 +60,7 @@ Scene read_ply(const Source& source, Warnings& warnings);
 Scene read_stl(const Source& source, Warnings& warnings);
 Scene read_radiance(const Source& source, Warnings& warnings);
 Scene read_gltf(const Source& source, Warnings& warnings);
+Scene read_pbrt(const Source& source, Warnings& warnings);
 Scene read_molecule(const Source& source, const ReadOptions& options, Warnings& warnings);
 Scene read_assimp(const Source& source, Warnings& warnings);
 

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "penumbra/scene_io/pbrt_scene.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "penumbra/scene_io/numbers.h"
+
+namespace penumbra {
+
+void warn_unread(PbrtScene& pbrt, std::string_view directive, const PbrtDefinition& definition) {
+  constexpr std::size_t most_kinds = 50;
+  for (const PbrtParameter* parameter : definition.params.unread()) {
+    std::string kind = fmt::format("parameter {} of {} {} is not read", in_quotes(parameter->name),
+                                   directive, in_quotes(definition.kind));
+    if (pbrt.unread.size() == most_kinds && !pbrt.unread.contains(kind))
+      kind = "further parameters are not read";
+    else
+      pbrt.unread.insert(kind);
+    pbrt.warnings.add(kind, parameter->place);
+  }
+}
+
+ShapeSet& pbrt_target(PbrtScene& pbrt) {
+  ShapeSet& shapes = pbrt.scene.shapes;
+  return pbrt.open_group ? shapes.groups[*pbrt.open_group] : shapes;
+}
+
+std::optional<Transform> inverse(const Transform& t) {
+  const double volume = determinant(t);
+  if (volume == 0 || !std::isfinite(volume)) return std::nullopt;
+  const Vec3d x = cross(t.y_axis, t.z_axis) / volume, y = cross(t.z_axis, t.x_axis) / volume,
+              z = cross(t.x_axis, t.y_axis) / volume;  // the rows
+  Transform back{{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}, {}};
+  back.offset = -apply_direction(back, t.offset);
+  const bool is_good = is_finite(back.x_axis) && is_finite(back.y_axis) && is_finite(back.z_axis) &&
+                       is_finite(back.offset);
+  return is_good ? std::optional(back) : std::nullopt;
+}
+
+}  // namespace penumbra
