@@ -13,7 +13,7 @@
 namespace penumbra {
 
 const char* const scene_argument_help =
-    "A file (NFF, OBJ, PLY, STL, glTF, PDB, mmCIF, ..., .gz of any) or a built-in scene "
+    "A file (NFF, OBJ, PLY, STL, glTF, pbrt, PDB, mmCIF, ..., .gz of any) or a built-in scene "
     "(cylinders, balls:N, rings, molecule, bust)";
 
 Scene load_scene(const std::string& name, const ReadOptions& options) {

@@ -62,8 +62,8 @@ void add_highlight(Material& m, Color f0, double alpha) {
 
 /// The share of what a rough surface mirrors that is still a picture of its surroundings.
 float clear_share(double alpha) {
-  const double roughness = std::sqrt(std::clamp(alpha, 0.0, 1.0));
-  return static_cast<float>((1 - roughness) * (1 - roughness));
+  const double smooth = 1 - std::clamp(alpha, 0.0, 1.0);
+  return static_cast<float>(smooth * smooth);
 }
 
 double Maker::index(const PbrtParams& params, const std::string& name, double otherwise) {
