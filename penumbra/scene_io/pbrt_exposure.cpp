@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "penumbra/scene_io/exposure.h"
@@ -34,15 +35,16 @@ double film_factor(const PbrtScene& pbrt) {
   return factor > 0 && std::isfinite(factor) ? factor : 1;
 }
 
-/// The factor of radiances: the film's, if that of `balance_lights` is at all like it. Leaves the
-/// lights balanced.
-double exposure_of(const PbrtScene& pbrt, Scene& scene) {
+/// The factor of radiances: the film's, if a white surface that faces all lights is then neither
+/// black nor blinding (as `balance_lights` has it: beside the objects); else what makes it white.
+double exposure_of(PbrtScene& pbrt, Color around) {
   constexpr double unlike = 50;
-  const double film = film_factor(pbrt), before = strength(scene.lights);
-  balance_lights(scene);
-  const double balanced = pi * strength(scene.lights) / before;
-  const double ratio = film / balanced;
-  return ratio > 1 / unlike && ratio < unlike ? film : balanced;
+  std::vector<Light> lights = pbrt.scene.lights;
+  balance_lights(pbrt.scene);
+  const double together = strength(lights) / strength(pbrt.scene.lights) / pi;
+  pbrt.scene.lights = std::move(lights);
+  const double film = film_factor(pbrt), white = film * (together + largest(around));
+  return white > 1 / unlike && white < unlike ? film : film / white;
 }
 
 }  // namespace
@@ -50,11 +52,9 @@ double exposure_of(const PbrtScene& pbrt, Scene& scene) {
 void expose_pbrt(PbrtScene& pbrt) {
   Scene& scene = pbrt.scene;
   Color around = pbrt.surroundings.radiance;
-  const std::vector<Light> lights = scene.lights;
-  if (strength(lights) > 0) {
-    const double factor = exposure_of(pbrt, scene);
-    for (std::size_t i = 0; i < lights.size(); ++i)
-      scene.lights[i].intensity = times(lights[i].intensity, factor / pi);
+  if (strength(scene.lights) > 0) {
+    const double factor = exposure_of(pbrt, around);
+    for (Light& light : scene.lights) light.intensity = times(light.intensity, factor / pi);
     for (Material& material : scene.materials) material.emission = times(material.emission, factor);
     around = times(around, factor);
     scene.ambient = around;

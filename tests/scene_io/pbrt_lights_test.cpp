@@ -142,6 +142,12 @@ TEST(PbrtLights, ExposureIsTheFilms) {
   EXPECT_NEAR(intensity("Film \"rgb\" \"float iso\" 200 "), 2 * ours, 1e-6);
   EXPECT_NEAR(intensity("Camera \"perspective\" \"float shutterclose\" 0.5 "), 0.5 * ours, 1e-6);
   EXPECT_NEAR(intensity("Film \"rgb\" \"float iso\" 1e6 "), 1, 1e-5);  // balanced
+  // A dim lamp beside a bright sky does not make the sky brighter.
+  const Scene sky = read_pbrt_text(subject +
+                                   "LightSource \"infinite\" \"rgb L\" [0.5 0.5 0.5] LightSource "
+                                   "\"distant\" \"float scale\" 1e-6")
+                        .scene;
+  EXPECT_EQ(sky.ambient, Color(0.5f, 0.5f, 0.5f));
 }
 
 TEST(PbrtLights, UnknownLightsAreErrors) {
