@@ -102,9 +102,9 @@ void Maker::metal(Made& made, const PbrtParams& params, const std::string& prefi
                             textures_.paint(params, prefix + "k", copper.k).mean});
   }
   const double width = alpha(params, prefix, 0);
-  const float clear = clear_share(width);
-  made.material.mirror = f0 * clear;
-  diffuse(made, {f0, -1, {}, f0}, 1 - clear);
+  made.material.mirror = f0 * clear_share(width);
+  // What is in between is the highlight's.
+  diffuse(made, {f0, -1, {}, f0}, static_cast<float>(std::clamp(width * width, 0.0, 1.0)));
   add_highlight(made.material, f0, width);
 }
 
