@@ -216,7 +216,7 @@ TEST(ReadObj, a_glowing_parallelogram_lights_the_scene) {
   const Scene scene = with_materials("newmtl m\nKe 2 4 6\n");
   ASSERT_EQ(scene.lights.size(), 1u);
   EXPECT_EQ(scene.lights[0].intensity, (Color{2, 4, 6}));  // of area 1
-  EXPECT_FALSE(scene.materials[scene.shapes.meshes[0].surfaces[0]].casts_shadow);
+  EXPECT_FALSE(scene.materials[surface_of(scene.shapes.meshes[0], 0)].casts_shadow);
   EXPECT_FALSE(scene.wants_ground);
 }
 
