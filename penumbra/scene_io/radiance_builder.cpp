@@ -256,7 +256,7 @@ std::optional<std::uint32_t> RadianceBuilder::read_surface(const RadianceFile& f
 
 void RadianceBuilder::finish() {
   finish_polygons(scene_.shapes, std::move(polygons_));
-  finish_lights(scene_, std::move(lights_));
+  finish_lights(scene_, std::move(lights_), warnings_);
 }
 
 }  // namespace penumbra

@@ -9,8 +9,8 @@
 #include "penumbra/geometry/centroid.h"
 #include "penumbra/geometry/polygon.h"
 #include "penumbra/scene/check_light.h"
-#include "penumbra/scene/emitters.h"
 #include "penumbra/scene_io/exposure.h"
+#include "penumbra/scene_io/light_emitters.h"
 
 namespace penumbra {
 namespace {
@@ -104,9 +104,9 @@ void add_source(Scene& scene, RadianceLights& lights, const RadianceLook& look, 
   if (angle_deg > 270 || towards.z < 0) lights.sky_below = look.radiance;
 }
 
-void finish_lights(Scene& scene, RadianceLights lights) {
+void finish_lights(Scene& scene, RadianceLights lights, Warnings& warnings) {
   finish_polygons(scene.shapes, std::move(lights.glowing));
-  add_emitter_lights(scene);
+  light_emitters(scene, warnings);
   const bool has_lights = !scene.lights.empty();
   const double factor = exposure(scene, lights);
   for (const auto& [material, radiance] : lights.seen)

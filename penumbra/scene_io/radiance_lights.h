@@ -33,6 +33,6 @@ void add_source(Scene& scene, RadianceLights& lights, const RadianceLook& look, 
 
 /// Makes lights of what glows, and brings radiance to what a picture shows: lights as
 /// `balance_lights` does it, what is seen and the sky by the same factor.
-void finish_lights(Scene& scene, RadianceLights lights);
+void finish_lights(Scene& scene, RadianceLights lights, Warnings& warnings);
 
 }  // namespace penumbra

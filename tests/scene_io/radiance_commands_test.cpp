@@ -134,7 +134,8 @@ TEST(RadianceBox, roundEdgesAreCylindersAndBalls) {
 class RadianceFiles : public testing::Test {
  protected:
   RadianceRead read(const std::string& text) {
-    return read_source(load(folder.put("main.rad", text + "\nvoid sphere far 0 0 4 900 0 0 1\n")));
+    return read_radiance_source(
+        load(folder.put("main.rad", text + "\nvoid sphere far 0 0 4 900 0 0 1\n")));
   }
   std::string error(const std::string& text) {
     return error_of([&] { read(text); });
@@ -254,7 +255,7 @@ TEST_F(RadianceFiles, hostileOnesEndSoon) {
 TEST_F(RadianceFiles, aControlFileNamesSceneAndView) {
   folder.put("m.rad", "void plastic p 0 0 5 1 0 0 0 0\n");
   folder.put("s.rad", "p sphere s 0 0 4 1 0 0 .5\n");
-  const RadianceRead read = read_source(load(
+  const RadianceRead read = read_radiance_source(load(
       folder.put("job.rif",
                  "# a job\nUP= +Y\nscene= s.rad # shapes\nmaterials= \\\n m.rad\nRENDER= -ab 1\n"
                  "view= XYZ\nview= north -vp 0 -9 0 -vd 0 1 0 -vh 30 -vv 60\n")));
@@ -263,8 +264,8 @@ TEST_F(RadianceFiles, aControlFileNamesSceneAndView) {
   ASSERT_TRUE(read.scene.camera);
   EXPECT_EQ(read.scene.camera->from, Vec3d(0, -9, 0));
   EXPECT_EQ(read.scene.camera->fov_deg, 60);
-  EXPECT_TRUE(
-      holds(error_of([&] { read_source(source_of("j.rif", "UP= Z\n")); }), "no scene files"));
+  EXPECT_TRUE(holds(error_of([&] { read_radiance_source(source_of("j.rif", "UP= Z\n")); }),
+                    "no scene files"));
 }
 
 TEST_F(RadianceFiles, aViewFileBesideIsTaken) {

@@ -148,9 +148,9 @@ TEST(RadianceLights, lightsInPlacedFilesStandWhereTheyArePlaced) {
                              "void spotlight s 0 0 7 1 1 1 40 0 0 -1\n"
                              "lamp sphere a 0 0 4 1 0 0 .5\ns ring b 0 0 8 0 0 0 0 0 -1 0 1\n");
   const RadianceRead read =
-      read_source(load(folder.put("t.rad",
-                                  "void sphere o 0 0 4 0 0 0 1\n"
-                                  "!xform -s 2 -ry 90 -a 2 -t 0 10 0 lamp.rad\n")));
+      read_radiance_source(load(folder.put("t.rad",
+                                           "void sphere o 0 0 4 0 0 0 1\n"
+                                           "!xform -s 2 -ry 90 -a 2 -t 0 10 0 lamp.rad\n")));
   ASSERT_EQ(read.scene.lights.size(), 4u);
   const auto& ball = std::get<BallLight>(read.scene.lights[2].shape);
   EXPECT_EQ(ball.center, Vec3f(0, 10, -2));

@@ -25,7 +25,7 @@ struct RadianceRead {
   }
 };
 
-inline RadianceRead read_source(const Source& source) {
+inline RadianceRead read_radiance_source(const Source& source) {
   Warnings warnings(source.path.string());
   RadianceRead read{read_radiance(source, warnings), {}};
   validate(read.scene);
@@ -35,7 +35,7 @@ inline RadianceRead read_source(const Source& source) {
 
 /// A .rad text; a sphere is put behind it, since a scene without any shape is none.
 inline RadianceRead read_rad(const std::string& text) {
-  return read_source(source_of("t.rad", text + "\nvoid sphere far 0 0 4 900 0 0 1\n"));
+  return read_radiance_source(source_of("t.rad", text + "\nvoid sphere far 0 0 4 900 0 0 1\n"));
 }
 
 inline std::string rad_error(const std::string& text) {
