@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/kernel/placement.h"
 
+#include <cfloat>
 #include <cmath>
 
 #include "penumbra/geometry/placed_shape.h"
@@ -42,7 +43,8 @@ Placement make_placement(const Transform& map, const Box& group_box, std::uint32
     }
     // Boxes lose eight roundings of 2^-24 here, records one or two of theirs; a map that is a
     // similarity to 2^-22 moves what is round by that.
-    placement.pad[row] = static_cast<float>(sum * 0x1p-19);
+    // FLT_MIN: products may underflow.
+    placement.pad[row] = static_cast<float>(sum * 0x1p-19) + FLT_MIN;
   }
   return placement;
 }

@@ -26,7 +26,7 @@ struct Placement {
 };
 
 /// `group_box` holds the group's records. Maps need not be similarities if these are triangles.
-/// Nodes need numbers in float's range: no entry of the map but 0 below 1e-15 or above 1e15.
+/// Nodes need numbers in float's range: the largest entry of each row is from 1e-15 to 1e15.
 Placement make_placement(const Transform& map, const Box& group_box, std::uint32_t group,
                          std::uint32_t first);
 

@@ -112,11 +112,11 @@ class Settler {
 }  // namespace
 
 bool can_place(const Transform& map) {
-  for (const Vec3d& axis : {map.x_axis, map.y_axis, map.z_axis})
-    for (int i = 0; i < 3; ++i)
-      if (const double size = std::abs(axis[i]); !(size == 0 || (size >= 1e-15 && size <= 1e15)))
-        return false;
-  return determinant(map) != 0;
+  for (int row = 0; row < 3; ++row) {
+    const double size = max_abs(Vec3d{map.x_axis[row], map.y_axis[row], map.z_axis[row]});
+    if (!(size >= 1e-15 && size <= 1e15)) return false;
+  }
+  return std::isfinite(determinant(map)) && determinant(map) != 0;
 }
 
 SettledInstances settle_instances(ShapeSet& shapes) { return Settler(shapes).settle(); }

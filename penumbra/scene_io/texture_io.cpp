@@ -75,6 +75,22 @@ std::optional<Texture> decode_exr(std::string_view bytes, std::size_t most_pixel
   return texture;
 }
 
+/// False where a chunk of a PNG claims more bytes than follow: stb asks for as many (up to a
+/// gigabyte) before it looks. Other formats pass.
+bool has_whole_chunks(std::string_view bytes) {
+  constexpr std::string_view signature("\x89PNG\r\n\x1a\n", 8);
+  if (!bytes.starts_with(signature)) return true;
+  for (std::size_t at = signature.size(); at + 8 <= bytes.size();) {
+    std::size_t size = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      size = size << 8 | static_cast<unsigned char>(bytes[at + i]);
+    if (bytes.substr(at + 4, 4) == "IEND") return true;
+    if (size > bytes.size() - at - 8) return false;
+    at += 12 + size;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::optional<Texture> decode_texture(std::string_view bytes, ImageCoding coding,
@@ -87,6 +103,7 @@ std::optional<Texture> decode_texture(std::string_view bytes, ImageCoding coding
     if (image.codes.empty()) return std::nullopt;
     return to_texture(image.width, image.height, image.codes.data(), coding);
   }
+  if (!has_whole_chunks(bytes)) return std::nullopt;
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;

@@ -73,6 +73,16 @@ TEST(SettleInstances, AMapThatTextHasRoundedKeepsSpheres) {
   EXPECT_GT(similarity_scale(shapes.instances[0].placement), 0);
 }
 
+TEST(SettleInstances, WhatRoundingLeavesOfATurnIsNoMatter) {
+  Transform turned = moved(0);
+  turned.x_axis = {6e-17, 1, 0}, turned.y_axis = {-1, 6e-17, 0};
+  EXPECT_TRUE(can_place(turned));
+  turned.z_axis = {0, 0, 1e-16};
+  EXPECT_FALSE(can_place(turned));
+  turned.z_axis = {0, 0, std::nan("")};
+  EXPECT_FALSE(can_place(turned));
+}
+
 TEST(SettleInstances, WhatIsFlattenedIsNoInstance) {
   ShapeSet shapes;
   shapes.groups = {egg()};

@@ -81,6 +81,17 @@ TEST(TextureLoader, damaged_files_are_a_warning_and_no_texture) {
   EXPECT_TRUE(holds(warnings.lines()[0], "a.png is no PNG"));
 }
 
+TEST(DecodeTexture, chunks_that_claim_more_than_there_is_are_not_believed) {
+  const std::string png = *decode_data_uri("data:;base64," + tiny_png_base64());
+  const std::size_t data = png.find("IDAT");
+  ASSERT_NE(data, png.npos);
+  std::string greedy = png;
+  greedy.replace(data - 4, 4, std::string("\x40\0\0\0", 4));
+  // stb would ask for a gigabyte first.
+  EXPECT_FALSE(decode_texture(greedy, ImageCoding::srgb, 10));
+  EXPECT_TRUE(decode_texture(png + "more", ImageCoding::srgb, 10));
+}
+
 TEST(MostPixels, of_small_files_are_bounded_and_of_large_ones_earned) {
   EXPECT_EQ(most_pixels_of(0), std::size_t{1} << 25);
   EXPECT_EQ(most_pixels_of(1'000'000), std::size_t{1} << 25);
