@@ -13,8 +13,8 @@
 namespace penumbra {
 
 const char* const scene_argument_help =
-    "A file (NFF, OBJ, PLY, STL, glTF, Radiance, PDB, mmCIF, ..., .gz of any) or a built-in scene "
-    "(cylinders, balls:N, rings, molecule, bust)";
+    "A file (NFF, OBJ, PLY, STL, glTF, pbrt, Radiance, PDB, mmCIF, ..., .gz of any) or a built-in "
+    "scene (cylinders, balls:N, rings, molecule, bust)";
 
 Scene load_scene(const std::string& name, const ReadOptions& options) {
   std::error_code ignored;  // read_scene says it better

@@ -9,6 +9,7 @@
 
 #include "penumbra/scene_io/numbers.h"
 #include "penumbra/scene_io/pbrt_spectra.h"
+#include "penumbra/scene_io/pbrt_textures.h"
 #include "penumbra/scene_io/texture_io.h"
 
 namespace penumbra {
@@ -93,13 +94,6 @@ void add_distant(PbrtScene& pbrt, const PbrtParams& params) {
   add(pbrt, std::move(light));
 }
 
-Color mean_of(const Texture& texture) {
-  Vec3d sum;
-  for (const Color pixel : texture.pixels) sum += Vec3d(pixel);
-  return texture.pixels.empty() ? Color{1, 1, 1}
-                                : Color(sum / static_cast<double>(texture.pixels.size()));
-}
-
 /// The mean of a map; pbrt's maps have equal areas everywhere. White where it cannot be read.
 Color map_color(PbrtScene& pbrt, const std::string& name, PbrtPlace place) {
   constexpr std::size_t most_pixels = std::size_t{1} << 26;
@@ -110,7 +104,7 @@ Color map_color(PbrtScene& pbrt, const std::string& name, PbrtPlace place) {
       "an infinite light's map is not drawn: its mean colour is all around, without shadows";
   if (!map) fate = "an infinite light's map cannot be read; white is all around, without shadows";
   pbrt.warnings.add(fate, place);
-  return map ? mean_of(*map) : Color{1, 1, 1};
+  return map ? mean_color(*map) : Color{1, 1, 1};
 }
 
 void add_infinite(PbrtScene& pbrt, const PbrtParams& params) {

@@ -62,8 +62,8 @@ void add_highlight(Material& m, Color f0, double alpha) {
 
 /// The share of what a rough surface mirrors that is still a picture of its surroundings.
 float clear_share(double alpha) {
-  const double roughness = std::sqrt(std::clamp(alpha, 0.0, 1.0));
-  return static_cast<float>((1 - roughness) * (1 - roughness));
+  const double smooth = 1 - std::clamp(alpha, 0.0, 1.0);
+  return static_cast<float>(smooth * smooth);
 }
 
 double Maker::index(const PbrtParams& params, const std::string& name, double otherwise) {
@@ -102,9 +102,9 @@ void Maker::metal(Made& made, const PbrtParams& params, const std::string& prefi
                             textures_.paint(params, prefix + "k", copper.k).mean});
   }
   const double width = alpha(params, prefix, 0);
-  const float clear = clear_share(width);
-  made.material.mirror = f0 * clear;
-  diffuse(made, {f0, -1, {}, f0}, 1 - clear);
+  made.material.mirror = f0 * clear_share(width);
+  // What is in between is the highlight's.
+  diffuse(made, {f0, -1, {}, f0}, static_cast<float>(std::clamp(width * width, 0.0, 1.0)));
   add_highlight(made.material, f0, width);
 }
 

@@ -78,7 +78,7 @@ struct PbrtScene {
   std::optional<std::uint32_t> open_group;  ///< between ObjectBegin and ObjectEnd
 
   std::size_t corners_left = std::size_t{1} << 27;  ///< vertices and triangles of meshes
-  std::size_t made_left = std::size_t{1} << 23;  ///< of them, those that no number in a file backs
+  std::size_t made_left = std::size_t{1} << 22;  ///< of them, those that no number in a file backs
   std::set<std::string> unread;                  ///< warnings about parameters
 };
 

@@ -69,7 +69,7 @@ std::uint32_t pbrt_surface(PbrtScene& pbrt, const std::optional<PbrtGlow>& glow,
 }
 
 int pbrt_segments(const PbrtScene& pbrt) {
-  constexpr std::size_t many = std::size_t{1} << 22;
+  constexpr std::size_t many = std::size_t{1} << 21;
   return pbrt.graphics.area_light || pbrt.made_left < many ? 16 : 64;
 }
 
@@ -100,14 +100,20 @@ void add_pbrt_shape(PbrtScene& pbrt, const PbrtDefinition& definition) {
     throw Error(definition.params.place(), "unknown shape " + in_quotes(definition.kind),
                 "pbrt-v4 has sphere, cylinder, disk, trianglemesh, plymesh, bilinearmesh, "
                 "loopsubdiv and curve");
-  if (is_visible(pbrt, definition.params)) {
-    kind->add(pbrt, definition.params);
-    warn_unread(pbrt, "Shape", definition);
-  } else if (pbrt.graphics.area_light) {
-    pbrt.warnings.add("an area light that alpha makes invisible is seen",
+  const bool is_seen = is_visible(pbrt, definition.params);
+  if (!is_seen && !pbrt.graphics.area_light) return;
+  ShapeSet& shapes = pbrt_target(pbrt);
+  const std::size_t spheres = shapes.spheres.size(), rings = shapes.rings.size(),
+                    others = shapes.meshes.size() + shapes.cones.size();
+  kind->add(pbrt, definition.params);
+  warn_unread(pbrt, "Shape", definition);
+  if (is_seen) return;
+  // Only its light is wanted, which spheres and disks already have given.
+  shapes.spheres.resize(spheres);
+  shapes.rings.resize(rings);
+  if (shapes.meshes.size() + shapes.cones.size() > others)
+    pbrt.warnings.add("a glowing mesh that alpha makes invisible is seen",
                       definition.params.place());
-    kind->add(pbrt, definition.params);
-  }
 }
 
 }  // namespace penumbra

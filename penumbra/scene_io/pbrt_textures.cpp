@@ -26,13 +26,6 @@ std::optional<PbrtUvMap> uv_map(const PbrtParams& params) {
                    params.number("udelta", 0), params.number("vdelta", 0)};
 }
 
-Color mean_of(const Texture& texture) {
-  Vec3d sum;
-  for (const Color pixel : texture.pixels) sum += Vec3d(pixel);
-  return texture.pixels.empty() ? Color{1, 1, 1}
-                                : Color(sum / static_cast<double>(texture.pixels.size()));
-}
-
 /// Two fields each way, the lower left one of the first colour.
 Texture two_by_two(Color first, Color second) {
   constexpr std::uint32_t size = 128;
@@ -46,6 +39,13 @@ Texture two_by_two(Color first, Color second) {
 }
 
 }  // namespace
+
+Color mean_color(const Texture& texture) {
+  Vec3d sum;
+  for (const Color pixel : texture.pixels) sum += Vec3d(pixel);
+  return texture.pixels.empty() ? Color{1, 1, 1}
+                                : Color(sum / static_cast<double>(texture.pixels.size()));
+}
 
 PbrtPaint PbrtTextures::paint(const PbrtParams& params, std::string_view name, Color otherwise) {
   const PbrtParameter* p = params.find(name);
@@ -122,7 +122,8 @@ PbrtPaint PbrtTextures::image(const PbrtDefinition& definition) {
   paint.color = {scale, scale, scale};
   paint.texture = loader_.from_file(params.text("filename", ""), params.place().line);
   if (paint.texture < 0) return plain(Color{0.5f, 0.5f, 0.5f} * scale);
-  paint.mean = mean_of(pbrt_.scene.textures[static_cast<std::size_t>(paint.texture)]) * paint.color;
+  paint.mean =
+      mean_color(pbrt_.scene.textures[static_cast<std::size_t>(paint.texture)]) * paint.color;
   const auto map = uv_map(params);
   if (!map) return mean_only(paint, "imagemap that is not mapped by uv", params.place());
   paint.map = *map;

@@ -11,6 +11,9 @@
 
 namespace penumbra {
 
+/// White for an empty one. Cost: linear.
+Color mean_color(const Texture& texture);
+
 /// How an image's coordinates come from a mesh's: scale, then offset.
 struct PbrtUvMap {
   double scale_u = 1, scale_v = 1, offset_u = 0, offset_v = 0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <system_error>
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "penumbra/scene/image.h"
+#include "penumbra/scene_io/image_formats.h"
 #include "penumbra/scene_io/jpeg_io.h"
 
 // Compiled here, without the formats we don't take, so that none of their decoders is reachable.
@@ -50,11 +52,35 @@ Texture to_texture(std::uint32_t width, std::uint32_t height, const std::uint8_t
   return texture;
 }
 
+bool is_exr(std::string_view bytes) { return bytes.starts_with("\x76\x2f\x31\x01"); }
+
+/// Colours are linear as they are; what is negative or not finite becomes 0.
+std::optional<Texture> decode_exr(std::string_view bytes, std::size_t most_pixels) {
+  Image image;
+  try {
+    image = from_exr("texture.exr", bytes);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+  const Channel* grey = image.channels.size() == 1 ? image.channels.data() : nullptr;
+  const Channel* rgb[] = {grey, grey, grey};
+  for (std::size_t c = 0; c < 3 && !grey; ++c)
+    rgb[c] = find_channel(image, std::string_view("RGB").substr(c, 1));
+  if (!rgb[0] || !rgb[1] || !rgb[2] || rgb[0]->values.size() > most_pixels) return std::nullopt;
+  Texture texture{image.width, image.height, {}};
+  const auto clean = [](float v) { return v > 0 && std::isfinite(v) ? v : 0; };
+  for (std::size_t i = 0; i < rgb[0]->values.size(); ++i)
+    texture.pixels.push_back(
+        {clean(rgb[0]->values[i]), clean(rgb[1]->values[i]), clean(rgb[2]->values[i])});
+  return texture;
+}
+
 }  // namespace
 
 std::optional<Texture> decode_texture(std::string_view bytes, ImageCoding coding,
                                       std::size_t most_pixels) {
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return std::nullopt;
+  if (is_exr(bytes)) return decode_exr(bytes, most_pixels);
   most_pixels = std::min(most_pixels, bytes.size() * most_pixels_per_byte);
   if (is_jpeg(bytes)) {
     const JpegImage image = decode_jpeg(bytes, most_pixels);
@@ -128,10 +154,10 @@ std::int32_t TextureLoader::from_bytes(const std::string& key, std::string_view 
   bytes_ += bytes.size();
   auto texture = decode_texture(bytes, ImageCoding::srgb, most_pixels_of(bytes_) - pixels_);
   if (!texture) {
-    warnings_.add(
-        fmt::format("the image of {} is no PNG, JPEG, TGA or BMP, is damaged, or is too large; its "
-                    "surfaces are plain",
-                    key));
+    warnings_.add(fmt::format(
+        "the image of {} is no PNG, JPEG, TGA, BMP or OpenEXR, is damaged, or is too large; its "
+        "surfaces are plain",
+        key));
     return known_[key] = -1;
   }
   pixels_ += texture->pixels.size();

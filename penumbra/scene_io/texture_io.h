@@ -20,8 +20,9 @@ namespace penumbra {
 /// How an image's codes become numbers: colours are sRGB, everything else is stored as it is.
 enum class ImageCoding { srgb, plain };
 
-/// PNG, JPEG, TGA or BMP as a texture (alpha is dropped); nothing where the bytes are none of these
-/// or more than `most_pixels`, which is checked before anything is allocated for them.
+/// PNG, JPEG, TGA, BMP or OpenEXR (always linear) as a texture, alpha dropped; nothing where the
+/// bytes are none of these or more than `most_pixels`. Sizes that the bytes cannot hold are refused
+/// before anything is allocated for them.
 std::optional<Texture> decode_texture(std::string_view bytes, ImageCoding coding,
                                       std::size_t most_pixels);
 

@@ -72,7 +72,7 @@ TEST(PbrtLights, InfiniteLightsAreAmbientAndBackground) {
 
 TEST(PbrtLights, GlowingSpheresAreBallsThatDoNotBlockThemselves) {
   const Scene scene = read_pbrt_text(
-                          "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [3 2 1] "
+                          "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [300 200 100] "
                           "Translate 0 9 0 Shape \"sphere\" \"float radius\" 0.5 "
                           "AttributeEnd Shape \"disk\" \"float radius\" 9")
                           .scene;
@@ -80,10 +80,10 @@ TEST(PbrtLights, GlowingSpheresAreBallsThatDoNotBlockThemselves) {
   const auto& ball = std::get<BallLight>(scene.lights[0].shape);
   EXPECT_EQ(ball.center, Vec3f(0, 9, 0));
   EXPECT_EQ(ball.radius, 0.5f);
-  EXPECT_NEAR(scene.lights[0].intensity.x, 3 * pi * 0.25 * ours, 1e-6);  // L pi R²
+  EXPECT_NEAR(scene.lights[0].intensity.x, 300 * pi * 0.25 * ours, 1e-4);  // L pi R²
   const Material& material = scene.materials[scene.shapes.spheres[0].surface];
   EXPECT_FALSE(material.casts_shadow);
-  EXPECT_EQ(material.emission, Color(3, 2, 1));
+  EXPECT_EQ(material.emission, Color(300, 200, 100));
   EXPECT_TRUE(scene.materials[scene.shapes.rings[0].surface].casts_shadow);
 }
 
@@ -118,6 +118,15 @@ TEST(PbrtLights, PowerIsOfTheWholeShape) {
   EXPECT_NEAR(disk.intensity.x, 6 / pi * ours, 1e-6);  // L = power / (pi area)
 }
 
+TEST(PbrtLights, AnAlphaOfZeroLeavesTheLightAlone) {
+  const Scene scene = read_pbrt_text(subject +
+                                     "AreaLightSource \"diffuse\" Shape \"sphere\" "
+                                     "\"float alpha\" 0")
+                          .scene;
+  EXPECT_EQ(scene.shapes.spheres.size(), 1u);
+  EXPECT_EQ(scene.lights.size(), 1u);
+}
+
 TEST(PbrtLights, ObjectsHaveNoLights) {
   const PbrtResult r = read_pbrt_text(
       "ObjectBegin \"o\" AreaLightSource \"diffuse\" Shape \"sphere\" ObjectEnd ObjectInstance "
@@ -133,6 +142,12 @@ TEST(PbrtLights, ExposureIsTheFilms) {
   EXPECT_NEAR(intensity("Film \"rgb\" \"float iso\" 200 "), 2 * ours, 1e-6);
   EXPECT_NEAR(intensity("Camera \"perspective\" \"float shutterclose\" 0.5 "), 0.5 * ours, 1e-6);
   EXPECT_NEAR(intensity("Film \"rgb\" \"float iso\" 1e6 "), 1, 1e-5);  // balanced
+  // A dim lamp beside a bright sky does not make the sky brighter.
+  const Scene sky = read_pbrt_text(subject +
+                                   "LightSource \"infinite\" \"rgb L\" [0.5 0.5 0.5] LightSource "
+                                   "\"distant\" \"float scale\" 1e-6")
+                        .scene;
+  EXPECT_EQ(sky.ambient, Color(0.5f, 0.5f, 0.5f));
 }
 
 TEST(PbrtLights, UnknownLightsAreErrors) {

@@ -2,6 +2,7 @@
 #include "tests/scene_io/fuzz/fuzz_format.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <stdexcept>
 
 #include "penumbra/scene_io/read_mtl.h"
@@ -73,3 +74,13 @@ Outcome read_input(const FuzzFormat& format, std::string bytes) {
 }
 
 }  // namespace penumbra
+
+/// For those who link this file with libFuzzer (-fsanitize=fuzzer): the format's name is in
+/// PENUMBRA_FUZZ_FORMAT, and its corpus is a good one to begin with.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const char* name = std::getenv("PENUMBRA_FUZZ_FORMAT");
+  static const penumbra::FuzzFormat format = penumbra::load_format(
+      PENUMBRA_SOURCE_DIR "/tests/scene_io/corpus", name != nullptr ? name : "nff");
+  penumbra::read_input(format, std::string(data, data + size));
+  return 0;
+}

@@ -42,6 +42,15 @@ void limit_time() {
   setitimer(ITIMER_PROF, &limit, nullptr);
 }
 
+/// Far beyond what an input may take, so that one that takes all there is harms nobody. Not under
+/// the sanitizer, which reserves terabytes and has a limit of its own.
+void limit_memory() {
+#if !defined(__SANITIZE_ADDRESS__)
+  constexpr rlimit limit{rlim_t{4} << 30, rlim_t{4} << 30};
+  setrlimit(RLIMIT_AS, &limit);
+#endif
+}
+
 /// The most this process had.
 long megabytes() {
   rusage usage{};
@@ -80,7 +89,10 @@ int work(const FuzzFormat& format, double seconds, std::uint64_t seed, Progress&
 template <typename Work>
 int run_apart(Work work_apart) {
   const pid_t worker = fork();
-  if (worker == 0) std::exit(work_apart());
+  if (worker == 0) {
+    limit_memory();
+    std::exit(work_apart());
+  }
   int status = 0;
   waitpid(worker, &status, 0);
   return status;
