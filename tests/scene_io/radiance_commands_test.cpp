@@ -33,7 +33,7 @@ void expect_near(Vec3d a, Vec3d b) {
   EXPECT_NEAR(a.z, b.z, 1e-12);
 }
 
-TEST(RadianceXform, transformationsFollowOneAnother) {
+TEST(RadianceXform, transformations_follow_one_another) {
   EXPECT_EQ(moved(""), Vec3d(1, 2, 3));
   EXPECT_EQ(moved("-t 10 0 -1"), Vec3d(11, 2, 2));
   EXPECT_EQ(moved("-s 2 -t 1 1 1"), Vec3d(3, 5, 7));
@@ -42,7 +42,7 @@ TEST(RadianceXform, transformationsFollowOneAnother) {
   EXPECT_EQ(moved("-my -mz"), Vec3d(1, -2, -3));
 }
 
-TEST(RadianceXform, rotationsFollowTheRightHand) {
+TEST(RadianceXform, rotations_follow_the_right_hand) {
   EXPECT_EQ(moved("-rx 90"), Vec3d(1, -3, 2));
   EXPECT_EQ(moved("-ry 90"), Vec3d(3, 2, -1));
   EXPECT_EQ(moved("-rz 90"), Vec3d(-2, 1, 3));
@@ -52,14 +52,14 @@ TEST(RadianceXform, rotationsFollowTheRightHand) {
   expect_near(moved("-ry 30", {0, 0, 1}), {0.5, 0, std::sqrt(0.75)});
 }
 
-TEST(RadianceXform, iterationsRepeatWhatFollows) {
+TEST(RadianceXform, iterations_repeat_what_follows) {
   EXPECT_EQ(moved("-i 3 -t 1 0 0"), Vec3d(4, 2, 3));
   EXPECT_EQ(moved("-t 0 1 0 -i 3 -t 1 0 0 -i 1 -t 0 0 5"), Vec3d(4, 3, 8));
   EXPECT_EQ(moved("-i 0 -t 1 0 0"), Vec3d(1, 2, 3));
   EXPECT_EQ(moved("-i 1000000000 -rz 90"), Vec3d(1, 2, 3));
 }
 
-TEST(RadianceXform, arraysAreGridsOfPlacements) {
+TEST(RadianceXform, arrays_are_grids_of_placements) {
   const RadianceXform grid = xform("-rz 90 -a 3 -t 10 0 0 -a 2 -t 0 20 0 -i 1 -t 0 0 1");
   std::vector<Vec3d> places;
   for (const Transform& t : grid.placements) places.push_back(apply_point(t, {1, 0, 0}));
@@ -70,7 +70,7 @@ TEST(RadianceXform, arraysAreGridsOfPlacements) {
             Vec3d(0, -1, 3));
 }
 
-TEST(RadianceXform, eachLineOfAnArgumentFileIsAPlacement) {
+TEST(RadianceXform, each_line_of_an_argument_file_is_a_placement) {
   const RadianceXform result =
       xform("-t 1 0 0 -f places -mx", "# two\n-t 0 1 0\n\n!xform -a 2 -t 0 2 0\n");
   ASSERT_EQ(result.placements.size(), 3u);
@@ -79,7 +79,7 @@ TEST(RadianceXform, eachLineOfAnArgumentFileIsAPlacement) {
   EXPECT_EQ(result.placements[2].offset, Vec3d(-1, 2, 0));
 }
 
-TEST(RadianceXform, otherOptions) {
+TEST(RadianceXform, other_options) {
   const RadianceXform result = xform("-n tree -m bark -m leaf -I -c -e -t 1 2 3");
   EXPECT_EQ(result.modifier, "bark");  // as in xform, the first one
   EXPECT_TRUE(result.is_inverted);
@@ -90,7 +90,7 @@ TEST(RadianceXform, otherOptions) {
     EXPECT_NE(error_of([&] { xform(wrong, "-t 0 0 0"); }), "") << wrong;
 }
 
-TEST(RadianceCommands, areSplitAsAShellDoes) {
+TEST(RadianceCommands, are_split_as_a_shell_does) {
   const auto programs = split_radiance_command("xform -n 'a b' \"c\" | xform -t 1 2 3 # no", {});
   ASSERT_EQ(programs.size(), 2u);
   EXPECT_EQ(programs[0], (std::vector<std::string>{"xform", "-n", "a b", "c"}));
@@ -100,7 +100,7 @@ TEST(RadianceCommands, areSplitAsAShellDoes) {
     EXPECT_NE(error_of([&] { split_radiance_command(wrong, {}); }), "") << wrong;
 }
 
-TEST(RadianceBox, isClosedAndLooksOutwards) {
+TEST(RadianceBox, is_closed_and_looks_outwards) {
   const auto mesh_of = [](const std::string& options) {
     return all_placed(
                read_rad("void plastic m 0 0 5 .5 .5 .5 0 0\n!genbox m box 2 3 4" + options).scene)
@@ -117,7 +117,7 @@ TEST(RadianceBox, isClosedAndLooksOutwards) {
   EXPECT_LT(six_volume(mesh_of(" -b .5 -i")), 0);
 }
 
-TEST(RadianceBox, roundEdgesAreCylindersAndBalls) {
+TEST(RadianceBox, round_edges_are_cylinders_and_balls) {
   const ShapeSet shapes = all_placed(
       read_rad("void plastic m 0 0 5 .5 .5 .5 0 0\n!genbox m box 2 3 4 -r .5 | xform -t 1 0 0")
           .scene);
@@ -143,7 +143,7 @@ class RadianceFiles : public testing::Test {
   TemporaryFolder folder;
 };
 
-TEST_F(RadianceFiles, aFileIsAGroupThatIsPlaced) {
+TEST_F(RadianceFiles, a_file_is_a_group_that_is_placed) {
   folder.put("ball.rad",
              "void plastic p 0 0 5 1 0 0 0 0\np sphere s 0 0 4 1 0 0 .5\n"
              "p polygon q 0 0 9 0 0 0 1 0 0 0 1 0\n");
@@ -160,7 +160,7 @@ TEST_F(RadianceFiles, aFileIsAGroupThatIsPlaced) {
   EXPECT_DOUBLE_EQ(area(shapes.meshes.at(3)), 2);
 }
 
-TEST_F(RadianceFiles, namesInAFileMeanWhatTheyMeanWhereItIsIncluded) {
+TEST_F(RadianceFiles, names_in_a_file_mean_what_they_mean_where_it_is_included) {
   folder.put("ball.rad", "p sphere s 0 0 4 1 0 0 .5\n");
   folder.put("paints.rad", "void plastic green 0 0 5 0 1 0 0 0\n");
   const RadianceRead read = this->read(
@@ -179,7 +179,7 @@ TEST_F(RadianceFiles, namesInAFileMeanWhatTheyMeanWhereItIsIncluded) {
   EXPECT_TRUE(holds(error("!xform -m gren ball.rad"), "no material named `gren`"));
 }
 
-TEST_F(RadianceFiles, placementsInsideOneAnotherAreComposed) {
+TEST_F(RadianceFiles, placements_inside_one_another_are_composed) {
   std::filesystem::create_directory(folder.path() / "parts");
   folder.put("parts/ball.rad", "void sphere s 0 0 4 1 0 0 .5\n");
   folder.put("parts/two.rad", "!xform -a 2 -t 0 0 1 ball.rad\nvoid sphere t 0 0 4 0 0 7 .5\n");
@@ -192,7 +192,7 @@ TEST_F(RadianceFiles, placementsInsideOneAnotherAreComposed) {
   EXPECT_EQ(read.scene.shapes.groups.size(), 2u);
 }
 
-TEST_F(RadianceFiles, pipesTransformTheirOutput) {
+TEST_F(RadianceFiles, pipes_transform_their_output) {
   folder.put("ball.rad", "void sphere s 0 0 4 1 0 0 .5\n");
   const RadianceRead read = this->read("!cat ball.rad ball.rad | xform -t 1 0 0 | xform -rz 90\n");
   const ShapeSet shapes = all_placed(read.scene);
@@ -200,7 +200,7 @@ TEST_F(RadianceFiles, pipesTransformTheirOutput) {
   EXPECT_EQ(shapes.spheres[1].center, Vec3f(0, 2, 0));
 }
 
-TEST_F(RadianceFiles, invertedPolygonsTurnAbout) {
+TEST_F(RadianceFiles, inverted_polygons_turn_about) {
   folder.put("q.rad", "void light l 0 0 3 1 1 1\nl polygon q 0 0 9 0 0 1 1 0 1 0 1 1\n");
   const auto up = [&](const std::string& options) {
     const RadianceRead read = this->read("!xform " + options + " q.rad\n");
@@ -212,7 +212,7 @@ TEST_F(RadianceFiles, invertedPolygonsTurnAbout) {
   EXPECT_FALSE(up("-mx -I"));
 }
 
-TEST_F(RadianceFiles, rayPathIsSearchedLast) {
+TEST_F(RadianceFiles, ray_path_is_searched_last) {
   std::filesystem::create_directory(folder.path() / "lib");
   folder.put("lib/ball.rad", "void sphere s 0 0 4 1 0 0 .5\n");
   EXPECT_TRUE(holds(error("!xform ball.rad"), "main.rad:1: the file `ball.rad` is missing"));
@@ -221,7 +221,7 @@ TEST_F(RadianceFiles, rayPathIsSearchedLast) {
   unsetenv("RAYPATH");
 }
 
-TEST_F(RadianceFiles, otherCommandsAreRefusedWithAWayOut) {
+TEST_F(RadianceFiles, other_commands_are_refused_with_a_way_out) {
   for (const char* command : {"gensky 6 21 12", "genrev m n f g 10", "sh x", "xform -t 1 2 3",
                               "cat main.rad | xform a.rad", "genbox m n 1 1 1 | sort", "xform -"}) {
     const std::string text = error("!" + std::string(command));
@@ -231,7 +231,7 @@ TEST_F(RadianceFiles, otherCommandsAreRefusedWithAWayOut) {
   EXPECT_TRUE(holds(error("!gensky 6 21 12"), "xform -e scene.rad > all.rad"));
 }
 
-TEST_F(RadianceFiles, hostileOnesEndSoon) {
+TEST_F(RadianceFiles, hostile_ones_end_soon) {
   const auto start = std::chrono::steady_clock::now();
   EXPECT_TRUE(holds(error("!xform main.rad"), "includes itself"));
   folder.put("b.rad", "!xform c.rad\n");
@@ -252,7 +252,7 @@ TEST_F(RadianceFiles, hostileOnesEndSoon) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
 }
 
-TEST_F(RadianceFiles, aControlFileNamesSceneAndView) {
+TEST_F(RadianceFiles, a_control_file_names_scene_and_view) {
   folder.put("m.rad", "void plastic p 0 0 5 1 0 0 0 0\n");
   folder.put("s.rad", "p sphere s 0 0 4 1 0 0 .5\n");
   const RadianceRead read = read_radiance_source(load(
@@ -268,7 +268,7 @@ TEST_F(RadianceFiles, aControlFileNamesSceneAndView) {
                     "no scene files"));
 }
 
-TEST_F(RadianceFiles, aViewFileBesideIsTaken) {
+TEST_F(RadianceFiles, a_view_file_beside_is_taken) {
   folder.put("main.vf", "rvu -vtv -vp 1 2 3 -vd 0 0 -1 -vu 0 1 0\n");
   const RadianceRead read = this->read("");
   ASSERT_TRUE(read.scene.camera);

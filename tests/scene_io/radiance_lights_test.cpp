@@ -22,7 +22,7 @@ double ratio(const Scene& scene) {
 
 const std::string lamp = "void light lamp 0 0 3 2 2 2\n";
 
-TEST(RadianceLights, ballsAndDisksAreExact) {
+TEST(RadianceLights, balls_and_disks_are_exact) {
   const RadianceRead read = read_rad(lamp +
                                      "lamp sphere a 0 0 4 1 2 3 0.5\n"
                                      "lamp ring b 0 0 8 0 0 5 0 0 -3 0 0.25\n");
@@ -47,7 +47,7 @@ TEST(RadianceLights, ballsAndDisksAreExact) {
   EXPECT_EQ(shapes.rings.at(0).surface, shapes.spheres[0].surface);
 }
 
-TEST(RadianceLights, aPolygonShinesFromItsFront) {
+TEST(RadianceLights, a_polygon_shines_from_its_front) {
   const RadianceRead read = read_rad(lamp + "lamp polygon a 0 0 12 0 0 5 0 1 5 1 1 5 1 0 5\n");
   ASSERT_EQ(read.scene.lights.size(), 1u);
   const Mesh mesh = all_placed(read.scene).meshes.at(0);
@@ -61,7 +61,7 @@ TEST(RadianceLights, aPolygonShinesFromItsFront) {
             0);
 }
 
-TEST(RadianceLights, theSunHasItsAngle) {
+TEST(RadianceLights, the_sun_has_its_angle) {
   const RadianceRead read = read_rad(
       "void light solar 0 0 3 1000 1000 1000\nsolar source sun 0 0 4 0 -3 4 0.5\n"
       "solar source moon 0 0 4 0 0 1 1\n");
@@ -73,7 +73,7 @@ TEST(RadianceLights, theSunHasItsAngle) {
   EXPECT_EQ(read.scene.background, Color());
 }
 
-TEST(RadianceLights, theSkyIsBackgroundAndAmbientInTheSunsMeasure) {
+TEST(RadianceLights, the_sky_is_background_and_ambient_in_the_suns_measure) {
   const RadianceRead read = read_rad(
       "void light solar 0 0 3 1e6 1e6 1e6\nsolar source sun 0 0 4 0 0 1 0.5\n"
       "void brightfunc skyfunc 2 skybr skybright.cal 0 7 1 20 10 .5 0 0 1\n"
@@ -90,7 +90,7 @@ TEST(RadianceLights, theSkyIsBackgroundAndAmbientInTheSunsMeasure) {
   EXPECT_TRUE(read.warns_of("the sky is light from everywhere alike"));
 }
 
-TEST(RadianceLights, aGlowLightsByItsRadius) {
+TEST(RadianceLights, a_glow_lights_by_its_radius) {
   const std::string surface = "g sphere s 0 0 4 0 0 0 1\n";
   for (const char* radius : {"0", "-1"}) {
     const RadianceRead read =
@@ -103,7 +103,7 @@ TEST(RadianceLights, aGlowLightsByItsRadius) {
   EXPECT_EQ(read_rad("void glow g 0 0 4 1 1 1 50\n" + surface).scene.lights.size(), 1u);
 }
 
-TEST(RadianceLights, aSpotlightHasItsCone) {
+TEST(RadianceLights, a_spotlight_has_its_cone) {
   const std::string spot = "void spotlight spot 0 0 7 5 5 5 60 0 0 -2\n";
   const RadianceRead read =
       read_rad(spot +
@@ -118,7 +118,7 @@ TEST(RadianceLights, aSpotlightHasItsCone) {
   EXPECT_TRUE(read_rad(spot + "spot cone a 0 0 8 0 0 0 0 0 1 1 0\n").warns_of("without its cone"));
 }
 
-TEST(RadianceLights, anIllumIsNotSeen) {
+TEST(RadianceLights, an_illum_is_not_seen) {
   const std::string square = "polygon a 0 0 12 0 0 5 0 1 5 1 1 5 1 0 5\n";
   const RadianceRead bare = read_rad("void illum window 0 0 3 1 1 1\nwindow " + square);
   ASSERT_EQ(bare.scene.lights.size(), 1u);
@@ -132,7 +132,7 @@ TEST(RadianceLights, anIllumIsNotSeen) {
   EXPECT_FALSE(pane.casts_shadow);
 }
 
-TEST(RadianceLights, roundOnesAreClosedMeshesThatLookOutwards) {
+TEST(RadianceLights, round_ones_are_closed_meshes_that_look_outwards) {
   const RadianceRead read = read_rad(lamp + "lamp cylinder tube 0 0 7 -1 0 0 1 0 0 .25\n");
   const Mesh mesh = all_placed(read.scene).meshes.at(0);
   const MeshTopology found = topology(mesh);
@@ -142,7 +142,7 @@ TEST(RadianceLights, roundOnesAreClosedMeshesThatLookOutwards) {
   EXPECT_NEAR(area(all_placed(ring.scene).meshes.at(0)), 3 * pi, 0.15);
 }
 
-TEST(RadianceLights, lightsInPlacedFilesStandWhereTheyArePlaced) {
+TEST(RadianceLights, lights_in_placed_files_stand_where_they_are_placed) {
   const TemporaryFolder folder;
   folder.put("lamp.rad", lamp +
                              "void spotlight s 0 0 7 1 1 1 40 0 0 -1\n"

@@ -15,7 +15,7 @@ namespace {
 
 Camera view(const std::string& options) { return parse_radiance_view(options).camera; }
 
-TEST(RadianceView, whatIsNotGivenIsRadiancesDefault) {
+TEST(RadianceView, what_is_not_given_is_radiances_default) {
   const Camera camera = view("-vp 1 2 3");
   EXPECT_EQ(camera.from, Vec3d(1, 2, 3));
   EXPECT_EQ(camera.at, Vec3d(1, 3, 3));
@@ -26,7 +26,7 @@ TEST(RadianceView, whatIsNotGivenIsRadiancesDefault) {
   EXPECT_EQ(camera.height, 512u);
 }
 
-TEST(RadianceView, bothAnglesGiveThePicturesShape) {
+TEST(RadianceView, both_angles_give_the_pictures_shape) {
   const Camera camera = view("-vtv -vd 2 0 0 -vh 90 -vv 53.13010235 -vo 0.5");
   EXPECT_EQ(camera.at, Vec3d(1, 0, 0));
   EXPECT_NEAR(camera.fov_deg, 53.13, 0.01);
@@ -35,13 +35,13 @@ TEST(RadianceView, bothAnglesGiveThePicturesShape) {
   EXPECT_EQ(camera.near, 0.5);
 }
 
-TEST(RadianceView, parallelViewsHaveSizes) {
+TEST(RadianceView, parallel_views_have_sizes) {
   const Camera camera = view("-vtl -vh 30 -vv 15");
   EXPECT_EQ(camera.parallel_height, 15);
   EXPECT_EQ(camera.width, 1024u);
 }
 
-TEST(RadianceView, shiftAndLiftMoveTheWindow) {
+TEST(RadianceView, shift_and_lift_move_the_window) {
   const ImageWindow window = view("-vs 0.5 -vl 0.25").window;
   EXPECT_EQ(window.left, 0.5);
   EXPECT_EQ(window.right, 1.5);
@@ -49,7 +49,7 @@ TEST(RadianceView, shiftAndLiftMoveTheWindow) {
   EXPECT_EQ(window.bottom, 0.75);
 }
 
-TEST(RadianceView, otherProjectionsAreDrawnInPerspective) {
+TEST(RadianceView, other_projections_are_drawn_in_perspective) {
   const RadianceView fisheye = parse_radiance_view("-vth -vh 180 -vv 180");
   EXPECT_EQ(fisheye.camera.fov_deg, 100);
   EXPECT_TRUE(holds(fisheye.warning, "-vth"));
@@ -57,7 +57,7 @@ TEST(RadianceView, otherProjectionsAreDrawnInPerspective) {
   EXPECT_NE(parse_radiance_view("-va 10").warning, "");
 }
 
-TEST(RadianceView, linesOfAFileChangeOneAnother) {
+TEST(RadianceView, lines_of_a_file_change_one_another) {
   const TemporaryFolder folder;
   folder.put("base.vf", "rvu -vtv -vp 1 1 1 -vv 30\n");
   const auto file =
@@ -73,7 +73,7 @@ TEST(RadianceView, linesOfAFileChangeOneAnother) {
   EXPECT_EQ(parse_radiance_view("-vf a.vf -vv 10", folder.path()).camera.fov_deg, 10);
 }
 
-TEST(RadianceView, errorsSayWhatIsWrong) {
+TEST(RadianceView, errors_say_what_is_wrong) {
   for (const char* wrong : {"", "-vp 1 2", "-vp 1 2 x", "-vh 0", "-vv 180", "-vd 0 0 1", "-vtq",
                             "-q", "-vp 1 2 3 4", "-vf", "missing.vf", "-vp 1 2 1e999"})
     EXPECT_NE(error_of([&] { view(wrong); }), "") << wrong;

@@ -13,7 +13,7 @@ namespace {
 
 const std::string grey = "void plastic grey 0 0 5 .5 .5 .5 0 0\n";
 
-TEST(RadianceWords, cutsAtSpaceQuotesAndComments) {
+TEST(RadianceWords, cuts_at_space_quotes_and_comments) {
   RadianceWords words("t", "a#b # all this\n'two words' \"and 'more'\"\r\n1.5#end\n!x \\\n y # z");
   EXPECT_EQ(words.next().text, "a#b");
   EXPECT_EQ(words.next().text, "two words");
@@ -25,7 +25,7 @@ TEST(RadianceWords, cutsAtSpaceQuotesAndComments) {
   EXPECT_TRUE(words.next().text.empty());
 }
 
-TEST(ReadRadiance, everySurfaceIsAShape) {
+TEST(ReadRadiance, every_surface_is_a_shape) {
   const RadianceRead read = read_rad(grey +
                                      "grey sphere a 0 0 4 1 2 3 0.5\n"
                                      "grey bubble b 0 0 4 4 5 6 -2\n"
@@ -70,7 +70,7 @@ bool covers(const Mesh& mesh, double x, double y) {
   return false;
 }
 
-TEST(ReadRadiance, aSeamMakesAHole) {
+TEST(ReadRadiance, a_seam_makes_a_hole) {
   const RadianceRead read = read_rad(grey +
                                      "grey polygon wall 0 0 30  0 0 0  4 0 0  4 4 0  0 4 0  0 0 0\n"
                                      "  1 1 0  1 3 0  3 3 0  3 1 0  1 1 0\n");
@@ -81,7 +81,7 @@ TEST(ReadRadiance, aSeamMakesAHole) {
   EXPECT_TRUE(covers(mesh, 3.4, 0.3));
 }
 
-TEST(ReadRadiance, twoHolesOnSeamsOfTheirOwn) {
+TEST(ReadRadiance, two_holes_on_seams_of_their_own) {
   const RadianceRead read =
       read_rad(grey +
                "grey polygon wall 0 0 60  0 0 0  1 1 0  1 3 0  2 3 0  2 1 0  1 1 0  0 0 0\n"
@@ -94,7 +94,7 @@ TEST(ReadRadiance, twoHolesOnSeamsOfTheirOwn) {
   EXPECT_TRUE(covers(mesh, 4.1, 2.3));
 }
 
-TEST(ReadRadiance, namesMeanWhatWasLastDefined) {
+TEST(ReadRadiance, names_mean_what_was_last_defined) {
   const RadianceRead read = read_rad(
       "void plastic m 0 0 5 1 0 0 0 0\nm sphere a 0 0 4 0 0 0 1\n"
       "void plastic m 0 0 5 0 1 0 0 0\nm sphere b 0 0 4 2 0 0 1\n"
@@ -109,7 +109,7 @@ TEST(ReadRadiance, namesMeanWhatWasLastDefined) {
   EXPECT_TRUE(read.warns_of("t.rad:9: texfunc is not drawn")) << read.warnings[0];
 }
 
-TEST(ReadRadiance, patternsAndMixturesLeadToTheirMaterial) {
+TEST(ReadRadiance, patterns_and_mixtures_lead_to_their_material) {
   const RadianceRead read = read_rad(
       "void plastic red 0 0 5 1 0 0 0 0\nvoid plastic blue 0 0 5 0 0 1 0 0\n"
       "void colorpict wood 7 red green blue wood.hdr . frac_u frac_v 0 0\n"
@@ -138,7 +138,7 @@ Material material_of(const std::string& definition,
   return read.scene.materials[index];
 }
 
-TEST(RadianceMaterials, opaqueOnes) {
+TEST(RadianceMaterials, opaque_ones) {
   const Material plastic = material_of("void plastic m 0 0 5 .4 .2 .1 .5 0");
   EXPECT_EQ(plastic.diffuse, Color(0.2f, 0.1f, 0.05f));
   EXPECT_EQ(plastic.mirror, Color(0.5f, 0.5f, 0.5f));
@@ -156,7 +156,7 @@ TEST(RadianceMaterials, opaqueOnes) {
   EXPECT_EQ(material_of("void metal2 m 4 a b c . 0 6 .4 .2 .1 1 0 0").mirror, metal.mirror);
 }
 
-TEST(RadianceMaterials, aMirrorsAlternateIsWhatIsSeen) {
+TEST(RadianceMaterials, a_mirrors_alternate_is_what_is_seen) {
   const std::string red = "void plastic red 0 0 5 1 0 0 0 0\n";
   EXPECT_EQ(material_of(red + "void mirror m 1 red 0 3 .9 .9 .9").diffuse, Color(1, 0, 0));
   EXPECT_EQ(material_of(red + "void mirror n 1 red 0 3 1 1 1 void mirror m 1 n 0 3 1 1 1").diffuse,
@@ -165,7 +165,7 @@ TEST(RadianceMaterials, aMirrorsAlternateIsWhatIsSeen) {
   EXPECT_TRUE(all_placed(read.scene).spheres.empty());
 }
 
-TEST(RadianceMaterials, windowGlassPassesLight) {
+TEST(RadianceMaterials, window_glass_passes_light) {
   // The transmissivity that the manual gives for 88 % of transmittance.
   const Material glass = material_of("void glass m 0 0 3 .96 .96 .96");
   EXPECT_NEAR(glass.transmission.x, 0.88, 0.005);
@@ -175,7 +175,7 @@ TEST(RadianceMaterials, windowGlassPassesLight) {
   EXPECT_TRUE(material_of("void glass m 0 0 3 .1 .1 .1").casts_shadow);
 }
 
-TEST(RadianceMaterials, dielectricsRefractAndAbsorbByTheirSize) {
+TEST(RadianceMaterials, dielectrics_refract_and_absorb_by_their_size) {
   const Material clear = material_of("void dielectric m 0 0 5 1 1 1 1.5 0");
   EXPECT_EQ(clear.refraction_index, 1.5f);
   EXPECT_NEAR(clear.mirror.x, 0.04, 1e-6);
@@ -193,7 +193,7 @@ TEST(RadianceMaterials, dielectricsRefractAndAbsorbByTheirSize) {
               1e-6);
 }
 
-TEST(RadianceMaterials, transLetsItsSpecularPartThrough) {
+TEST(RadianceMaterials, trans_lets_its_specular_part_through) {
   const Material trans = material_of("void trans m 0 0 7 .5 .5 .5 0 0 .4 .25");
   EXPECT_NEAR(trans.diffuse.x, 0.3, 1e-6);
   EXPECT_NEAR(trans.transmission.x, 0.05, 1e-6);
@@ -201,7 +201,7 @@ TEST(RadianceMaterials, transLetsItsSpecularPartThrough) {
                   .warns_of("diffusely"));
 }
 
-TEST(RadianceMaterials, theRestIsDrawnAsWhatIsNearestAndWarnedOf) {
+TEST(RadianceMaterials, the_rest_is_drawn_as_what_is_nearest_and_warned_of) {
   for (const char* text :
        {"void plasfunc m 2 f f.cal 0 4 .4 .2 .1 0", "void BSDF m 6 0 a 0 0 1 . 0 0",
         "void transdata m 4 f d.dat . x 0 6 .4 .2 .1 0 .5 .5",
@@ -220,7 +220,7 @@ TEST(RadianceMaterials, theRestIsDrawnAsWhatIsNearestAndWarnedOf) {
   EXPECT_TRUE(read_rad("").warns_of("without a material (void) are grey"));
 }
 
-TEST(ReadRadiance, errorsNameTheLineAndWhatToDo) {
+TEST(ReadRadiance, errors_name_the_line_and_what_to_do) {
   EXPECT_EQ(rad_error("\nwood sphere s 0 0 4 0 0 0 1"),
             "t.rad:2: no material named `wood` is defined before it; define it, or put `!xform "
             "materials.rad` of the file that does before it");
@@ -240,7 +240,7 @@ TEST(ReadRadiance, errorsNameTheLineAndWhatToDo) {
                     "no cone"));
 }
 
-TEST(ReadRadiance, whatHasNoSizeIsLeftOut) {
+TEST(ReadRadiance, what_has_no_size_is_left_out) {
   const RadianceRead read = read_rad(grey +
                                      "grey sphere a 0 0 4 0 0 0 0\n"
                                      "grey cylinder b 0 0 7 1 1 1 1 1 1 2\n"
