@@ -2,10 +2,6 @@
 // Directives: what moves, what is saved, what stands in other files.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numbers>
-
-#include "tests/scene_io/damage.h"
 #include "tests/scene_io/pbrt_text.h"
 #include "tests/scene_io/temporary_folder.h"
 
@@ -164,20 +160,6 @@ TEST(ReadPbrt, broken_text_is_an_error_with_the_line) {
   EXPECT_TRUE(holds(pbrt_error("Shape \"sphere\" \"float radius\" 1 \"float radius\" 1"), "twice"));
   EXPECT_TRUE(holds(pbrt_error("Transform [1 0 0 1 0 1 0 0 0 0 1 0 0 0 0 1]"), "fourth number"));
   EXPECT_TRUE(holds(pbrt_error("WorldBegin"), "there are no shapes"));
-}
-
-TEST(ReadPbrt, SurvivesDamage) {
-  const std::vector<std::string> samples{
-      "LookAt 0 0 5 0 0 0 0 1 0 Camera \"perspective\" \"float fov\" 40 Film \"rgb\" \"integer "
-      "xresolution\" 64 WorldBegin AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [1 1 1] "
-      "Shape \"disk\" AttributeEnd MakeNamedMaterial \"m\" \"string type\" \"conductor\" "
-      "NamedMaterial \"m\" Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"integer "
-      "indices\" [0 1 2]",
-      "Texture \"t\" \"spectrum\" \"checkerboard\" Material \"diffuse\" \"texture reflectance\" "
-      "\"t\" ObjectBegin \"o\" Shape \"bilinearmesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0 1 1 1] Shape "
-      "\"curve\" \"point3 P\" [0 0 0 1 0 0 1 1 0 2 2 2] ObjectEnd Scale 1 2 3 ObjectInstance \"o\" "
-      "Shape \"sphere\" \"float phimax\" 90 LightSource \"spot\" \"spectrum I\" [400 1 700 2]"};
-  EXPECT_GT(survivors("t.pbrt", samples, read_pbrt), 50);
 }
 
 }  // namespace
