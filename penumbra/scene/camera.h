@@ -22,7 +22,7 @@ struct Camera {
       45;  ///< full vertical field of view, from the top edge of the picture to the bottom one
   /// Height of the whole picture in scene units where all rays are parallel; 0: perspective.
   double parallel_height = 0;
-  ImageWindow window;
+  ImageWindow window{};
   double near = 0;  ///< rays start this far along the viewing axis (NFF "hither")
   std::uint32_t width = 512,
                 height = 512;  ///< the file's own resolution, unless the user gives another
