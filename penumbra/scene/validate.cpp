@@ -182,6 +182,7 @@ void check_instances(ShapeSet& shapes, const Checker& check) {
   std::erase_if(shapes.instances, [&](const Instance& instance) {
     return own_primitive_count(shapes.groups[instance.group]) == 0;
   });
+  if (shapes.instances.empty()) return;
   const Box box = bounds(shapes);
   check.require(box.is_empty() || (is_coordinate(box.lo) && is_coordinate(box.hi)),
                 "an instance reaches beyond 1e15", coordinate_hint);
