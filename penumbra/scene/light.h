@@ -31,4 +31,8 @@ struct Light {
   std::optional<Beam> beam{};  ///< none: it shines all around; not for suns
 };
 
+/// Share of a light's unshadowed light that its beam sends to p, in [0, 1]; 1 without one, and at
+/// the light's centre itself.
+float beam_factor(const Light& light, Vec3f p);
+
 }  // namespace penumbra

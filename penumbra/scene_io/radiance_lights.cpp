@@ -56,20 +56,10 @@ std::optional<Light> unbeamed(const RadianceShape& shape, Color radiance) {
   return std::nullopt;
 }
 
-double brightest(const std::vector<Light>& lights) {
-  double most = 0;
-  for (const Light& light : lights)
-    most = std::max(most, static_cast<double>(max_abs(light.intensity)));
-  return most;
-}
-
 /// A picture shows pi times radiance, as it shows irradiance on white; times the lights' factor.
 /// A sky alone is brought to just below white.
 double exposure(Scene& scene, const RadianceLights& lights) {
-  const double before = brightest(scene.lights);
-  balance_lights(scene);
-  const double after = brightest(scene.lights);
-  if (before > 0 && after > 0 && std::isfinite(after / before)) return pi * after / before;
+  if (!scene.lights.empty()) return pi * balance_lights(scene);
   const double sky = static_cast<double>(std::max(max_abs(lights.sky_above.value_or(Color{})),
                                                   max_abs(lights.sky_below.value_or(Color{}))));
   return sky > 0 ? 0.8 / sky : 1;

@@ -22,10 +22,6 @@ struct ShadingPoint {
 ShadingPoint shading_point(const Scene& scene, ShapeRef shape, Vec3d origin, Vec3d direction,
                            double t);
 
-/// Share of a light's unshadowed light that its beam sends to p, in [0, 1]; 1 without one, and at
-/// the light's centre itself.
-float beam_factor(const Light& light, Vec3f p);
-
 /// Light reflected towards the viewer if the whole light were visible. It does not depend on d:
 /// Lambert in closed form (see irradiance.h), Phong's highlight by the light's centre. Where
 /// normals are interpolated it goes smoothly to 0 as the light's centre nears the geometric horizon

@@ -73,12 +73,12 @@ TEST(PbrtLights, InfiniteLightsAreAmbientAndBackground) {
 TEST(PbrtLights, GlowingSpheresAreBallsThatDoNotBlockThemselves) {
   const Scene scene = read_pbrt_text(
                           "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [300 200 100] "
-                          "Translate 0 9 0 Shape \"sphere\" \"float radius\" 0.5 "
+                          "Translate 0 0 9 Shape \"sphere\" \"float radius\" 0.5 "
                           "AttributeEnd Shape \"disk\" \"float radius\" 9")
                           .scene;
   ASSERT_EQ(scene.lights.size(), 1u);
   const auto& ball = std::get<BallLight>(scene.lights[0].shape);
-  EXPECT_EQ(ball.center, Vec3f(0, 9, 0));
+  EXPECT_EQ(ball.center, Vec3f(0, 0, 9));
   EXPECT_EQ(ball.radius, 0.5f);
   EXPECT_NEAR(scene.lights[0].intensity.x, 300 * pi * 0.25 * ours, 1e-4);  // L pi R²
   const Material& material = scene.materials[scene.shapes.spheres[0].surface];
