@@ -36,8 +36,8 @@ extern const char* const lights_help;
 /// which are missing when `scenes` is empty.
 void take_back_scenes(SceneWishes& wishes, std::vector<std::string>& scenes);
 
-/// After the command line is parsed: fills in the lights and the view, and checks what no single option
-/// can. Throws UsageError, and Error for a view that cannot be read.
+/// After the command line is parsed: fills in the lights and the view, and checks what no single
+/// option can. Throws UsageError, and Error for a view that cannot be read.
 void finish(SceneWishes& wishes);
 
 }  // namespace penumbra

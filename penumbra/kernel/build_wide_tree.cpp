@@ -199,9 +199,7 @@ class PlacementHanger {
 Box bounds(const WideNode& node) {
   Box box;
   for (int i = 0; i < WideNode::width; ++i)
-    if (node.used >> i & 1)
-      box.add({{node.lo[0][i], node.lo[1][i], node.lo[2][i]},
-               {node.hi[0][i], node.hi[1][i], node.hi[2][i]}});
+    if (node.used >> i & 1) box.add(box_of(node, i));
   return box;
 }
 
@@ -217,8 +215,7 @@ WideTree build_wide_tree(const std::vector<Record>& records, std::vector<WideTre
   std::vector<Box> boxes;
   boxes.reserve(records.size() + placements.size());
   for (const Record& record : records) boxes.push_back(bounds(record));
-  for (const Placement& placement : placements)
-    boxes.push_back(bounds(placed(groups[placement.group].nodes.front(), placement)));
+  for (const Placement& placement : placements) boxes.push_back(placement.box);
   BoxTree boxed = build_box_tree(boxes, is_mesh(records) ? 4 : 1);
   if (!placements.empty()) PlacementHanger(boxed, boxes, records.size()).hang();
   WideTree tree{std::move(boxed.nodes), {}, std::move(groups), std::move(placements)};

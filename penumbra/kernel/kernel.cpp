@@ -60,7 +60,7 @@ std::vector<Placement> placements_of(const ShapeSet& shapes, std::uint32_t first
   for (const Instance& instance : shapes.instances) {
     const WideTree& group = groups[instance.group];
     placements.push_back(
-        make_placement(instance.placement, bounds(group.nodes.front()), instance.group, first));
+        make_placement(instance.placement, group.nodes.front(), instance.group, first));
     first += static_cast<std::uint32_t>(group.records.size());
   }
   return placements;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Closest hit of one ray through the hierarchy, nearest child first.
 #include "penumbra/kernel/kernel.h"
-#include "penumbra/kernel/space.h"
 #include "penumbra/kernel/traverse.h"
 
 // Highway compiles the rest once for each instruction set.
@@ -14,6 +13,7 @@
 #include "penumbra/kernel/four_triangles-inl.h"
 #include "penumbra/kernel/search-inl.h"
 #include "penumbra/kernel/shaft-inl.h"
+#include "penumbra/kernel/space-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace penumbra::HWY_NAMESPACE {

@@ -5,7 +5,6 @@
 // every node and leaf is fetched once. What is found does not depend on any of this.
 #include <span>
 
-#include "penumbra/kernel/space.h"
 #include "penumbra/kernel/traverse.h"
 
 // Highway compiles the rest once for each instruction set.
@@ -17,6 +16,7 @@
 
 #include "penumbra/kernel/packet-inl.h"
 #include "penumbra/kernel/prefetch-inl.h"
+#include "penumbra/kernel/space-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace penumbra::HWY_NAMESPACE {

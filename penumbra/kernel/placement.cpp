@@ -28,24 +28,27 @@ void set(Record& record, int first, Vec3f v) {
 
 }  // namespace
 
-Placement make_placement(const Transform& map, const Box& group_box, std::uint32_t group,
+Placement make_placement(const Transform& map, const WideNode& root, std::uint32_t group,
                          std::uint32_t first) {
   Placement placement{map, similarity_scale(map), group, first};
   const Vec3d axis[3] = {map.x_axis, map.y_axis, map.z_axis};
+  const Box group_box = bounds(root);
   const Vec3f reach = max(max(group_box.hi, -group_box.lo), Vec3f{});
   for (int row = 0; row < 3; ++row) {
     double sum = std::abs(map.offset[row]);
     placement.offset[row] = static_cast<float>(map.offset[row]);
     for (int column = 0; column < 3; ++column) {
       placement.matrix[row][column] = static_cast<float>(axis[column][row]);
-      placement.size[row][column] = std::abs(placement.matrix[row][column]);
       sum += std::abs(axis[column][row]) * reach[column];
     }
     // Boxes lose eight roundings of 2^-24 here, records one or two of theirs; a map that is a
-    // similarity to 2^-22 moves what is round by that.
-    // FLT_MIN: products may underflow.
+    // similarity to 2^-22 moves what is round by that. FLT_MIN: products may underflow.
     placement.pad[row] = static_cast<float>(sum * 0x1p-19) + FLT_MIN;
   }
+  for (int child = 0; child < WideNode::width; ++child)
+    if (root.used >> child & 1) placement.box.add(placed(box_of(root, child), map));
+  const Vec3f pad{placement.pad[0], placement.pad[1], placement.pad[2]};
+  placement.box = {placement.box.lo - pad, placement.box.hi + pad};
   return placement;
 }
 
@@ -68,30 +71,6 @@ Record placed(const Record& record, const Placement& placement) {
       set(out, 6, point(placement, record.vector(6)));
       break;
   }
-  return out;
-}
-
-WideNode placed(const WideNode& node, const Placement& placement) {
-  constexpr int width = WideNode::width;
-  float center[3][width], half[3][width];
-  for (int axis = 0; axis < 3; ++axis)
-    for (int i = 0; i < width; ++i) {
-      center[axis][i] = 0.5f * (node.lo[axis][i] + node.hi[axis][i]);
-      half[axis][i] = 0.5f * (node.hi[axis][i] - node.lo[axis][i]);
-    }
-  WideNode out;
-  for (int row = 0; row < 3; ++row) {
-    const float *m = placement.matrix[row], *size = placement.size[row];
-    const float offset = placement.offset[row], pad = placement.pad[row];
-    for (int i = 0; i < width; ++i) {
-      const float middle = m[0] * center[0][i] + m[1] * center[1][i] + m[2] * center[2][i] + offset;
-      const float reach = size[0] * half[0][i] + size[1] * half[1][i] + size[2] * half[2][i] + pad;
-      out.lo[row][i] = middle - reach;
-      out.hi[row][i] = middle + reach;
-    }
-  }
-  for (int i = 0; i < width; ++i) out.child[i] = node.child[i];
-  out.used = node.used;
   return out;
 }
 

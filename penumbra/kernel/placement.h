@@ -20,22 +20,19 @@ struct Placement {
   double scale = 0;         ///< of a similarity: what it multiplies radii by
   std::uint32_t group = 0;  ///< whose tree it is, an index into WideTree::groups
   std::uint32_t first = 0;  ///< id of its first primitive, and index of its first record
-  // What boxes are mapped by: the map in float, its numbers' sizes, and what float loses of a
+  Box box{};                ///< holds the boxes of all its records in the world
+  // What nodes' boxes are mapped by (space-inl.h): the map in float, and what float loses of a
   // coordinate of the group.
-  float matrix[3][3] = {}, size[3][3] = {}, offset[3] = {}, pad[3] = {};
+  float matrix[3][3] = {}, offset[3] = {}, pad[3] = {};
 };
 
-/// `group_box` holds the group's records. Maps need not be similarities if these are triangles.
+/// `root` is that of the group's tree. Maps need not be similarities if its records are triangles.
 /// Nodes need numbers in float's range: the largest entry of each row is from 1e-15 to 1e15.
-Placement make_placement(const Transform& map, const Box& group_box, std::uint32_t group,
+Placement make_placement(const Transform& map, const WideNode& root, std::uint32_t group,
                          std::uint32_t first);
 
 /// The record in the world; rounded to float once a number. Triangles keep the order of their
 /// corners. Its id is that of the group's record + `first`.
 Record placed(const Record& record, const Placement& placement);
-
-/// The node with boxes that hold, in the world, what its boxes hold in the group: the boxes of all
-/// placed records below. Cost: 20 ns.
-WideNode placed(const WideNode& node, const Placement& placement);
 
 }  // namespace penumbra

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "penumbra/kernel/kernel.h"
-#include "penumbra/kernel/space.h"
 #include "penumbra/kernel/traverse.h"
 
 // Highway compiles the rest once for each instruction set.
@@ -16,6 +15,7 @@
 
 #include "penumbra/kernel/prefetch-inl.h"
 #include "penumbra/kernel/shaft-inl.h"
+#include "penumbra/kernel/space-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace penumbra::HWY_NAMESPACE {

@@ -78,12 +78,13 @@ struct WideTree {
 WideTree build_wide_tree(const std::vector<Record>& records, std::vector<WideTree> groups = {},
                          std::vector<Placement> placements = {});
 
+/// Box of one child.
+inline Box box_of(const WideNode& node, int child) {
+  return {{node.lo[0][child], node.lo[1][child], node.lo[2][child]},
+          {node.hi[0][child], node.hi[1][child], node.hi[2][child]}};
+}
+
 /// Box of all children.
 Box bounds(const WideNode& node);
-
-/// Box that holds what the placement, one of the tree's, places.
-inline Box bounds(const WideTree& tree, const Placement& placement) {
-  return bounds(placed(tree.groups[placement.group].nodes.front(), placement));
-}
 
 }  // namespace penumbra

@@ -20,7 +20,7 @@ enum class GroundChoice { automatic, none };
 struct SceneOptions {
   std::optional<Camera> camera;  ///< replaces the file's; what follows changes it
   std::optional<Vec3d> from, at, up;
-  std::optional<double> fov_deg;  ///< makes a parallel camera a perspective one
+  std::optional<double> fov_deg;            ///< makes a parallel camera a perspective one
   std::vector<Light> lights;                ///< if any, they replace the file's
   std::optional<LightRadius> light_radius;  ///< turns points into balls and overrides balls' radius
   std::variant<GroundChoice, double> ground = GroundChoice::automatic;  ///< or a height along `up`

@@ -20,8 +20,8 @@ struct SettledInstances {
 /// Error where flattening placements would make more than 2^24 primitives.
 SettledInstances settle_instances(ShapeSet& shapes);
 
-/// Whether the kernel can place shapes by it: not flat, and the largest entry of each row from 1e-15
-/// to 1e15 (see `make_placement`). Not for NaN.
+/// Whether the kernel can place shapes by it: not flat, and the largest entry of each row from
+/// 1e-15 to 1e15 (see `make_placement`). Not for NaN.
 bool can_place(const Transform& map);
 
 }  // namespace penumbra

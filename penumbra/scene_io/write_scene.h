@@ -16,7 +16,8 @@ namespace penumbra {
 /// path that cannot be written.
 void write_scene(const std::filesystem::path& path, const Scene& scene);
 
-/// NFF text of a scene without instances: numbers with 6 significant digits when that reads back to the same float, else with 9.
+/// NFF text of a scene without instances: numbers with 6 significant digits when that reads back to
+/// the same float, else with 9.
 std::string to_nff(const Scene& scene);
 
 /// Writes all of `bytes` to a temporary file beside `path`, then renames it. Throws Error.

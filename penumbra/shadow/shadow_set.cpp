@@ -31,8 +31,7 @@ Growth growth_of(const Box& occluder, const Box& grown) {
 
 Box box_of(const RecordTable& records, std::uint32_t caster) {
   const std::size_t own = records.own().size();
-  return caster < own ? bounds(records.own()[caster])
-                      : bounds(*records.tree(), records.placements()[caster - own]);
+  return caster < own ? bounds(records.own()[caster]) : records.placements()[caster - own].box;
 }
 
 }  // namespace
