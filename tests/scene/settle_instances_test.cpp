@@ -97,6 +97,49 @@ TEST(SettleInstances, WhatIsFlattenedIsNoInstance) {
   EXPECT_NO_THROW(validate(scene));
 }
 
+TEST(SettleInstances, WhatIsFlattenedToAPointVanishes) {
+  Scene scene;
+  scene.shapes.groups = {pearls()};
+  Transform point = moved(0), tiny = moved(0);
+  point.x_axis = point.y_axis = point.z_axis = {};
+  tiny.x_axis = {1e-40, 0, 0}, tiny.y_axis = {0, 1e-40, 0}, tiny.z_axis = {0, 0, 1e-40};
+  tiny.offset = {9, 9, 9};
+  scene.shapes.instances = {{0, point}, {0, moved(3)}, {0, moved(6)}, {0, tiny}};
+  settle_instances(scene.shapes);
+  EXPECT_NO_THROW(validate(scene));
+  EXPECT_EQ(primitive_count(scene.shapes), 20u);
+}
+
+/// A triangle among vertices that it does not use is no small group.
+TEST(SettleInstances, GroupsOfManyVerticesAreNotCopied) {
+  ShapeSet shapes;
+  shapes.groups.resize(1);
+  Mesh mesh;
+  mesh.positions.resize(10000);
+  mesh.positions[1] = {1, 0, 0}, mesh.positions[2] = {0, 1, 0}, mesh.triangles = {{0, 1, 2}};
+  shapes.groups[0].meshes = {mesh};
+  for (int i = 0; i < 5000; ++i) shapes.instances.push_back({0, moved(i)});
+  ShapeSet flattened = shapes;
+  EXPECT_EQ(settle_instances(shapes).expanded, 0u);
+  for (Instance& instance : flattened.instances) instance.placement.z_axis = {};
+  EXPECT_THROW(settle_instances(flattened), Error);
+}
+
+TEST(SettleInstances, TheMoreIsStretchedTheCoarserItIs) {
+  ShapeSet shapes;
+  shapes.groups = {pearls(), pearls()};
+  for (int i = 0; i < 40000; ++i) shapes.groups[0].spheres.push_back({{}, 1, 0});
+  Transform stretched = moved(0);
+  stretched.z_axis = {0, 0, 2};
+  shapes.instances = {{0, stretched}, {1, stretched}, {1, moved(5)}};
+  settle_instances(shapes);
+  EXPECT_LT(own_primitive_count(shapes), std::size_t{1} << 23);
+  shapes.groups = {pearls()};
+  shapes.groups[0].spheres.resize(500000);
+  shapes.instances = {{0, stretched}};
+  EXPECT_THROW(settle_instances(shapes), Error);
+}
+
 Scene scene_of(std::uint32_t group, const Transform& map) {
   Scene scene;
   scene.shapes.groups = {pearls()};
