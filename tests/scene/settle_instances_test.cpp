@@ -170,6 +170,20 @@ TEST(ValidateInstances, DropsPlacementsOfNothing) {
   EXPECT_EQ(scene.shapes.instances.size(), 1u);
 }
 
+/// A crowd in one place, each turned so that its box says little: beyond some millions of triangles
+/// boxes are all that is asked.
+TEST(FramingInstances, ACrowdIsFramedInTime) {
+  ShapeSet shapes;
+  shapes.groups.resize(1);
+  shapes.groups[0].meshes = {tessellated(Sphere{{0, 0, 0}, 1, 0}, 100)};
+  const double s = std::sqrt(0.5);
+  for (int i = 0; i < 5000; ++i)
+    shapes.instances.push_back({0, {{s, s, 0}, {-s, s, 0}, {0, 0, 1}, {}}});
+  EXPECT_NEAR(bounds(shapes).hi.x, 2 * s, 1e-5);
+  EXPECT_NEAR(bounds(shapes).hi.z, 1, 1e-5);
+  EXPECT_NEAR(detail::reach(shapes, {1, 0, 0}), 2 * s, 1e-5);
+}
+
 TEST(FramingInstances, ReachesWhereTheFlattenedSetReaches) {
   ShapeSet shapes;
   shapes.groups = {egg(), pearls()};
