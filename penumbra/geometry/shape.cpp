@@ -111,6 +111,9 @@ Box bounds_of_placed(const ShapeSet& group, const Transform& map, Backdrops back
   return box;
 }
 
+/// So many primitives are placed to know a box exactly: half a second.
+constexpr std::size_t most_looked_at = std::size_t{1} << 24;
+
 /// Those that reach farthest first: most others lie within what is known by then.
 Box bounds_of_all(const ShapeSet& shapes, Backdrops backdrops) {
   Box box = bounds_of_own(shapes, backdrops);
@@ -131,9 +134,14 @@ Box bounds_of_all(const ShapeSet& shapes, Backdrops backdrops) {
   };
   std::stable_sort(loose.begin(), loose.end(),
                    [&](const Loose& a, const Loose& b) { return reach(a) > reach(b); });
-  for (const Loose& l : loose)
-    if (!l.box.is_empty() && !box.contains(l.box))
-      box.add(bounds_of_placed(shapes.groups[l.instance->group], l.instance->placement, backdrops));
+  std::size_t looked_at = 0;
+  for (const Loose& l : loose) {
+    if (l.box.is_empty() || box.contains(l.box)) continue;
+    const ShapeSet& group = shapes.groups[l.instance->group];
+    looked_at += own_primitive_count(group);
+    box.add(looked_at <= most_looked_at ? bounds_of_placed(group, l.instance->placement, backdrops)
+                                        : l.box);
+  }
   return box;
 }
 

@@ -85,7 +85,8 @@ Box bounds(const Sphere& sphere);
 Box bounds(const Cone& cone);
 Box bounds(const Ring& ring);
 Box bounds(const ShapeSet& shapes, ShapeRef ref);
-/// What instances place included, exactly. Cost: linear in what is placed at the outside.
+/// What instances place included: exactly, but where more than 2^24 primitives stand at the
+/// outside; of these the boxes of their groups are placed. Cost: linear in what is placed there.
 Box bounds(const ShapeSet& shapes);
 
 /// Box of everything but backdrops: "the largest extent of the scene's objects" is its longest

@@ -35,15 +35,18 @@ Placement make_placement(const Transform& map, const WideNode& root, std::uint32
   const Box group_box = bounds(root);
   const Vec3f reach = max(max(group_box.hi, -group_box.lo), Vec3f{});
   for (int row = 0; row < 3; ++row) {
-    double sum = std::abs(map.offset[row]);
+    // What is round may be turned, by what a similarity is off, from any row into any other.
+    double sum = std::abs(map.offset[row]) + placement.scale * double(max_abs(reach));
     placement.offset[row] = static_cast<float>(map.offset[row]);
     for (int column = 0; column < 3; ++column) {
       placement.matrix[row][column] = static_cast<float>(axis[column][row]);
       sum += std::abs(axis[column][row]) * reach[column];
     }
     // Boxes lose eight roundings of 2^-24 here, records one or two of theirs; a map that is a
-    // similarity to 2^-22 moves what is round by that. FLT_MIN: products may underflow.
-    placement.pad[row] = static_cast<float>(sum * 0x1p-19) + FLT_MIN;
+    // similarity to 2^-22 moves what is round by less than four times that.
+    // FLT_MIN: entries and products may underflow.
+    const double underflow = FLT_MIN * (1 + reach.x + reach.y + reach.z);
+    placement.pad[row] = static_cast<float>(sum * 0x1p-19 + underflow);
   }
   for (int child = 0; child < WideNode::width; ++child)
     if (root.used >> child & 1) placement.box.add(placed(box_of(root, child), map));

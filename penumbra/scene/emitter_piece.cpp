@@ -81,7 +81,8 @@ FlatHull flat_hull(std::span<const Vec3f> points, Vec3d n, double size) {
   }
   std::vector<PlanePoint> ring = planar_hull(std::move(flat));
   FlatHull hull{{}, area(ring)};
-  ring = fewer_corners(std::move(ring), ring.size(), 1e-5 * size);
+  const std::size_t corners = ring.size();
+  ring = fewer_corners(std::move(ring), corners, 1e-5 * size);
   for (const PlanePoint p : ring) {
     const auto known = point_at.find({p.x, p.y});
     hull.corners.push_back(known != point_at.end() ? known->second

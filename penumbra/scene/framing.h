@@ -19,7 +19,9 @@ struct Subject {
 Subject subject_of(const ShapeSet& shapes);
 
 /// Farthest any object (backdrop, if there is nothing else) reaches along a direction: the largest
-/// dot(p, direction). Exact for the shapes themselves, not for their boxes. Cost: linear.
+/// dot(p, direction). Exact for the shapes themselves, not for their boxes; but an upper bound
+/// where more than 2^24 primitives stand at the outside of what instances place. Cost: linear in
+/// these.
 double reach(const ShapeSet& shapes, Vec3d direction);
 
 /// The horizontal direction a model of this up looks to by convention: -y for z up, +z for y up.

@@ -54,16 +54,15 @@ void add_triangles(const Scene& scene, const Mesh& mesh, Glowing& glowing) {
     const std::uint32_t surface = surface_of(mesh, t);
     if (surface >= scene.materials.size()) continue;
     const Material& material = scene.materials[surface];
-    if (!(max_abs(material.emission) > 0) || !is_finite(material.emission)) continue;
+    const Color c = material.emission;
+    if (!(max_abs(c) > 0) || !is_finite(c) || std::min({c.x, c.y, c.z}) < 0) continue;
     const Triangle& corners = mesh.triangles[t];
     if (std::max({corners[0], corners[1], corners[2]}) >= mesh.positions.size()) continue;
     const GlowingTriangle triangle = rotated(
         {mesh.positions[corners[0]], mesh.positions[corners[1]], mesh.positions[corners[2]]});
     const double area = area_of(triangle);
     if (area > 0 && std::isfinite(area))
-      glowing[{material.emission.x, material.emission.y, material.emission.z,
-               material.emits_from_back ? 1.0f : 0.0f}]
-          .push_back(triangle);
+      glowing[{c.x, c.y, c.z, material.emits_from_back ? 1.0f : 0.0f}].push_back(triangle);
   }
 }
 

@@ -28,8 +28,8 @@ struct GlowingSurface {
 
 /// Those of all meshes, and of the groups as often as they are placed, in an order that depends on
 /// themselves alone. Triangles whose corners or materials don't exist, that have no area or a
-/// coordinate that isn't finite, are passed over. Where placements make more than some millions of
-/// triangles, one hull stands for the surfaces of a group. Cost: O(n log n).
+/// coordinate that isn't finite, or glow negatively, are passed over. Where placements make more
+/// than some millions of triangles, one hull stands for the surfaces of a group. Cost: O(n log n).
 std::vector<GlowingSurface> glowing_surfaces(const Scene& scene);
 
 }  // namespace penumbra

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/scene/settle_instances.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -13,15 +14,33 @@
 namespace penumbra {
 namespace {
 
-constexpr std::size_t few_primitives = 4;
-constexpr std::size_t most_flat_primitives = std::size_t{1} << 24;
-constexpr int segments = 48;
+constexpr std::size_t few_primitives = 4, few_vertices = 16;
+constexpr std::size_t most_flat_parts = std::size_t{1} << 24;
+constexpr std::size_t most_stretched_triangles = std::size_t{1} << 24,
+                      good_stretched_triangles = most_stretched_triangles / 4;
+constexpr int fewest_segments = 8, most_segments = 48;
 
 std::size_t quadric_count(const ShapeSet& shapes) {
   return shapes.spheres.size() + shapes.cones.size() + shapes.rings.size();
 }
 
-ShapeSet without_quadrics(const ShapeSet& group) {
+std::size_t vertex_count(const ShapeSet& shapes) {
+  std::size_t count = 0;
+  for (const Mesh& mesh : shapes.meshes) count += mesh.positions.size();
+  return count;
+}
+
+/// Of so many round shapes as meshes: a sphere has the square of it triangles, others have fewer.
+int segments_of(std::size_t quadrics) {
+  constexpr auto fewest = std::size_t{fewest_segments} * fewest_segments;
+  if (quadrics > most_stretched_triangles / fewest)
+    throw Error({}, "instances stretch more than 262144 spheres, cones and rings",
+                "scale them alike in all directions");
+  const double each = double(good_stretched_triangles) / double(quadrics);
+  return static_cast<int>(std::clamp<double>(std::sqrt(each), fewest_segments, most_segments));
+}
+
+ShapeSet without_quadrics(const ShapeSet& group, int segments) {
   ShapeSet meshes;
   meshes.meshes = group.meshes;
   for (const Sphere& sphere : group.spheres) meshes.meshes.push_back(tessellated(sphere, segments));
@@ -30,8 +49,10 @@ ShapeSet without_quadrics(const ShapeSet& group) {
   return meshes;
 }
 
-/// The similarity that a map is, to what text in six digits says of it.
+/// The similarity that a map is, to what text in six digits says of it; none where it leaves
+/// nothing.
 std::optional<Transform> as_similarity(const Transform& map) {
+  if (!can_place(map)) return {};
   if (similarity_scale(map) > 0) return map;
   const Transform near = nearest_similarity(map);
   const double tolerance = 1e-5 * length(near.x_axis);
@@ -46,7 +67,15 @@ class Settler {
  public:
   explicit Settler(ShapeSet& shapes)
       : shapes_(shapes), uses_(shapes.groups.size()), twin_(shapes.groups.size()) {
-    for (const Instance& instance : shapes.instances) ++uses_[instance.group];
+    std::vector<bool> is_stretched(shapes.groups.size());
+    for (const Instance& instance : shapes.instances) {
+      ++uses_[instance.group];
+      if (!as_similarity(instance.placement)) is_stretched[instance.group] = true;
+    }
+    std::size_t quadrics = 0;
+    for (std::size_t i = 0; i < shapes.groups.size(); ++i)
+      if (is_stretched[i]) quadrics += quadric_count(shapes.groups[i]);
+    if (quadrics > 0) segments_ = segments_of(quadrics);
   }
 
   SettledInstances settle() {
@@ -67,14 +96,15 @@ class Settler {
  private:
   void settle(const Instance& instance, std::size_t uses) {
     const ShapeSet& group = shapes_.groups[instance.group];
-    const std::size_t count = own_primitive_count(group);
+    const std::size_t primitives = own_primitive_count(group), vertices = vertex_count(group);
     const bool is_placeable = can_place(instance.placement);
-    if (is_placeable && uses > 1 && count > few_primitives) {
+    if (is_placeable && uses > 1 && (primitives > few_primitives || vertices > few_vertices)) {
       shapes_.instances.push_back(instance);
       return;
     }
-    if (!is_placeable && (flat_ += count) > most_flat_primitives)
-      throw Error({}, "instances that are flattened hold more than 16 million primitives",
+    if (!is_placeable && (flat_ += primitives + vertices) > most_flat_parts)
+      throw Error({},
+                  "instances that are flattened hold more than 16 million primitives and vertices",
                   "leave them out");
     add_placed(shapes_, group, instance.placement);
     ++done_.expanded;
@@ -84,7 +114,7 @@ class Settler {
     if (!twin_[group]) {
       done_.stretched += quadric_count(shapes_.groups[group]);
       twin_[group] = static_cast<std::uint32_t>(shapes_.groups.size());
-      shapes_.groups.push_back(without_quadrics(shapes_.groups[group]));
+      shapes_.groups.push_back(without_quadrics(shapes_.groups[group], segments_));
     }
     return *twin_[group];
   }
@@ -107,6 +137,7 @@ class Settler {
   std::vector<std::optional<std::uint32_t>> twin_;
   SettledInstances done_;
   std::size_t flat_ = 0;
+  int segments_ = most_segments;
 };
 
 }  // namespace

@@ -16,8 +16,9 @@ struct SettledInstances {
 
 /// Groups placed once, and those of at most four primitives, become shapes of their own, where they
 /// cost no more; so does what a placement flattens. Groups with spheres, cones or rings that a
-/// placement stretches get a twin of meshes for it. Indices of groups must be in range. Throws
-/// Error where flattening placements would make more than 2^24 primitives.
+/// placement stretches get a twin of meshes for it, the coarser the more there are. Indices of
+/// groups must be in range. Throws Error where flattening placements would make more than 2^24
+/// primitives and vertices, or twins as many triangles.
 SettledInstances settle_instances(ShapeSet& shapes);
 
 /// Whether the kernel can place shapes by it: not flat, and the largest entry of each row from

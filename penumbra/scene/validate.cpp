@@ -183,11 +183,11 @@ void check_instances(ShapeSet& shapes, const Checker& check) {
     return own_primitive_count(shapes.groups[instance.group]) == 0;
   });
   if (shapes.instances.empty()) return;
+  check.require(primitive_count(shapes) < 1u << 31, "instances place more than 2^31 primitives",
+                "split the scene");
   const Box box = bounds(shapes);
   check.require(box.is_empty() || (is_coordinate(box.lo) && is_coordinate(box.hi)),
                 "an instance reaches beyond 1e15", coordinate_hint);
-  check.require(primitive_count(shapes) < 1u << 31, "instances place more than 2^31 primitives",
-                "split the scene");
 }
 
 /// Flat, long and many-cornered lights are sampled in coordinates of their own size, beside which

@@ -21,6 +21,11 @@ inline Transform random_map(const Place& place, bool is_similarity, Random& rand
   if (random.one_in(4)) map.x_axis = -map.x_axis;              // mirrors
   if (random.one_in(5)) map.y_axis = map.x_axis + map.y_axis;  // shears
   if (is_similarity) map = nearest_similarity(map);
+  if (is_similarity && random.one_in(3)) {  // as rounding may leave it
+    const double slack = 0x1p-24 * length(map.x_axis);
+    for (Vec3d* axis : {&map.x_axis, &map.y_axis, &map.z_axis})
+      if (random.one_in(2)) *axis += Vec3d(random.in_cube()) * slack;
+  }
   const double scale = random.one_in(3) ? double(random.power(-2, 1)) : 1;
   map.x_axis = map.x_axis * scale, map.y_axis = map.y_axis * scale, map.z_axis = map.z_axis * scale;
   const Vec3d middle(place.offset);

@@ -87,6 +87,27 @@ TEST(Placement, BoxesOfPlacedNodesHoldThePlacedRecords) {
   EXPECT_GT(placements, 4000);
 }
 
+/// Groups in the plane x = 0 whose placed records leave it: a ring, turned by what a map is off a
+/// similarity; a corner so far out that an entry counts that float has no number for.
+TEST(Placement, BoxesHoldWhatRoundingTurnsOutOfTheirPlane) {
+  ShapeSet turned, lost;
+  turned.groups.resize(1), lost.groups.resize(1);
+  turned.groups[0].rings.push_back({{}, {1, 0, 0}, 1, 0, 0});
+  turned.instances = {{0, {{1, 0x1p-23, 0}, {0, 1, 0}, {0, 0, 1}, {}}}};
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {0, 1e15f, 0}, {0, 0, 1}}, mesh.triangles = {{0, 1, 2}};
+  lost.groups[0].meshes = {mesh};
+  lost.instances = {{0, {{1, 0, 0}, {1e-46, 1, 0}, {0, 0, 1}, {}}}};
+  for (const ShapeSet& shapes : {turned, lost}) {
+    const Kernel kernel(shapes, {});
+    const Placement& placement = kernel.tree().placements[0];
+    EXPECT_TRUE(placement.box.contains(bounds(kernel.records()[0])));
+    WideNode root;
+    HWY_NAMESPACE::place(kernel.tree().groups[0].nodes.front(), placement, root);
+    EXPECT_TRUE(bounds(root).contains(bounds(kernel.records()[0])));
+  }
+}
+
 TEST(Placement, HierarchyGivesWhatBruteForceGives) {
   std::uint64_t hits = 0, blocked = 0;
   for_random_packets(2, 250,

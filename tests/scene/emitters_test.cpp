@@ -200,9 +200,10 @@ TEST(Emitters, dirt_changes_nothing) {
   EXPECT_EQ(add_emitter_lights(broken).lights, 0u);
   broken.shapes.meshes[0].surfaces = {0};  // too few
   EXPECT_EQ(add_emitter_lights(broken).surfaces, 1u);
-  for (Material& material : broken.materials)
-    material.emission = {std::numeric_limits<float>::infinity(), 0, 0};
-  EXPECT_EQ(add_emitter_lights(broken).surfaces, 0u);
+  for (const Color none : {Color{std::numeric_limits<float>::infinity(), 0, 0}, Color{-1, 0, 1}}) {
+    for (Material& material : broken.materials) material.emission = none;
+    EXPECT_EQ(add_emitter_lights(broken).surfaces, 0u);
+  }
 }
 
 TEST(Emitters, are_lights_that_methods_take) {

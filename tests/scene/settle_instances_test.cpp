@@ -97,6 +97,49 @@ TEST(SettleInstances, WhatIsFlattenedIsNoInstance) {
   EXPECT_NO_THROW(validate(scene));
 }
 
+TEST(SettleInstances, WhatIsFlattenedToAPointVanishes) {
+  Scene scene;
+  scene.shapes.groups = {pearls()};
+  Transform point = moved(0), tiny = moved(0);
+  point.x_axis = point.y_axis = point.z_axis = {};
+  tiny.x_axis = {1e-40, 0, 0}, tiny.y_axis = {0, 1e-40, 0}, tiny.z_axis = {0, 0, 1e-40};
+  tiny.offset = {9, 9, 9};
+  scene.shapes.instances = {{0, point}, {0, moved(3)}, {0, moved(6)}, {0, tiny}};
+  settle_instances(scene.shapes);
+  EXPECT_NO_THROW(validate(scene));
+  EXPECT_EQ(primitive_count(scene.shapes), 20u);
+}
+
+/// A triangle among vertices that it does not use is no small group.
+TEST(SettleInstances, GroupsOfManyVerticesAreNotCopied) {
+  ShapeSet shapes;
+  shapes.groups.resize(1);
+  Mesh mesh;
+  mesh.positions.resize(10000);
+  mesh.positions[1] = {1, 0, 0}, mesh.positions[2] = {0, 1, 0}, mesh.triangles = {{0, 1, 2}};
+  shapes.groups[0].meshes = {mesh};
+  for (int i = 0; i < 5000; ++i) shapes.instances.push_back({0, moved(i)});
+  ShapeSet flattened = shapes;
+  EXPECT_EQ(settle_instances(shapes).expanded, 0u);
+  for (Instance& instance : flattened.instances) instance.placement.z_axis = {};
+  EXPECT_THROW(settle_instances(flattened), Error);
+}
+
+TEST(SettleInstances, TheMoreIsStretchedTheCoarserItIs) {
+  ShapeSet shapes;
+  shapes.groups = {pearls(), pearls()};
+  for (int i = 0; i < 40000; ++i) shapes.groups[0].spheres.push_back({{}, 1, 0});
+  Transform stretched = moved(0);
+  stretched.z_axis = {0, 0, 2};
+  shapes.instances = {{0, stretched}, {1, stretched}, {1, moved(5)}};
+  settle_instances(shapes);
+  EXPECT_LT(own_primitive_count(shapes), std::size_t{1} << 23);
+  shapes.groups = {pearls()};
+  shapes.groups[0].spheres.resize(500000);
+  shapes.instances = {{0, stretched}};
+  EXPECT_THROW(settle_instances(shapes), Error);
+}
+
 Scene scene_of(std::uint32_t group, const Transform& map) {
   Scene scene;
   scene.shapes.groups = {pearls()};
@@ -125,6 +168,20 @@ TEST(ValidateInstances, DropsPlacementsOfNothing) {
   scene.shapes.instances.push_back({1, {}});
   validate(scene);
   EXPECT_EQ(scene.shapes.instances.size(), 1u);
+}
+
+/// A crowd in one place, each turned so that its box says little: beyond some millions of triangles
+/// boxes are all that is asked.
+TEST(FramingInstances, ACrowdIsFramedInTime) {
+  ShapeSet shapes;
+  shapes.groups.resize(1);
+  shapes.groups[0].meshes = {tessellated(Sphere{{0, 0, 0}, 1, 0}, 100)};
+  const double s = std::sqrt(0.5);
+  for (int i = 0; i < 5000; ++i)
+    shapes.instances.push_back({0, {{s, s, 0}, {-s, s, 0}, {0, 0, 1}, {}}});
+  EXPECT_NEAR(bounds(shapes).hi.x, 2 * s, 1e-5);
+  EXPECT_NEAR(bounds(shapes).hi.z, 1, 1e-5);
+  EXPECT_NEAR(detail::reach(shapes, {1, 0, 0}), 2 * s, 1e-5);
 }
 
 TEST(FramingInstances, ReachesWhereTheFlattenedSetReaches) {
