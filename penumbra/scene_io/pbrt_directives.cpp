@@ -133,7 +133,7 @@ void import_file(PbrtParser& parser, PbrtTokens& tokens, PbrtPlace place) {
 
 void world_begin(PbrtParser& parser, PbrtTokens&, PbrtPlace) {
   parser.pbrt.graphics.to_world = {};
-  parser.moves_start = true;
+  parser.pbrt.graphics.moves_start = true;
   parser.pbrt.coordinate_systems.insert_or_assign("world", Transform{});
 }
 

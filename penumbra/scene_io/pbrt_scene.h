@@ -27,7 +27,8 @@ struct PbrtDefinition {
 
 /// What AttributeBegin saves and AttributeEnd brings back.
 struct PbrtGraphics {
-  Transform to_world;  ///< pbrt's current transformation matrix
+  Transform to_world;       ///< pbrt's current transformation matrix
+  bool moves_start = true;  ///< ActiveTransform: of transformations, those at the shutter's opening
   bool is_reversed = false;
   std::uint32_t material = 0;                        ///< index of a PbrtMaterialSlot
   std::shared_ptr<const PbrtDefinition> area_light;  ///< none: shapes do not glow

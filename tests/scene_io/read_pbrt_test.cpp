@@ -56,7 +56,17 @@ TEST(ReadPbrt, attributes_are_saved_and_brought_back) {
   EXPECT_EQ(spheres[2].center, Vec3f(1, 0, 0));
   EXPECT_EQ(scene.materials[spheres[0].surface].diffuse, Color(1, 0, 0));
   EXPECT_EQ(scene.materials[spheres[1].surface].diffuse, Color(0.5f, 0.5f, 0.5f));
-  EXPECT_EQ(scene.materials[spheres[2].surface].diffuse, Color(0, 1, 0));  // transforms alone
+  // TransformBegin is AttributeBegin in pbrt-v4.
+  EXPECT_EQ(scene.materials[spheres[2].surface].diffuse, Color(0.5f, 0.5f, 0.5f));
+}
+
+TEST(ReadPbrt, the_end_of_a_block_makes_transformations_count_again) {
+  expect_near(origin_after("AttributeBegin ActiveTransform EndTime Translate 9 9 9 AttributeEnd "
+                           "Translate 1 2 3"),
+              {1, 2, 3});
+  expect_near(origin_after("Translate 1 2 3 CoordinateSystem \"here\" Identity ActiveTransform "
+                           "EndTime CoordSysTransform \"here\""),
+              {1, 2, 3});  // of all times, whichever is active
 }
 
 TEST(ReadPbrt, blocks_that_do_not_match_are_errors_with_the_line) {
