@@ -124,16 +124,13 @@ void active_transform(PbrtParser& parser, PbrtTokens& tokens, PbrtPlace place) {
   if (!moves_start) parser.pbrt.warnings.add(no_motion, place);
 }
 
+/// What AttributeBegin is: pbrt-v4 has given up the difference.
 void transform_begin(PbrtParser& parser, PbrtTokens&, PbrtPlace place) {
   open_pbrt_block(parser, "TransformBegin", place);
 }
 
 void transform_end(PbrtParser& parser, PbrtTokens&, PbrtPlace place) {
-  const PbrtGraphics now = parser.pbrt.graphics;
   close_pbrt_block(parser, "TransformBegin", "TransformEnd", place);
-  const Transform before = parser.pbrt.graphics.to_world;
-  parser.pbrt.graphics = now;
-  parser.pbrt.graphics.to_world = before;
 }
 
 struct Entry {
