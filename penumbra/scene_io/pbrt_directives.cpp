@@ -144,7 +144,13 @@ void skip_definition(PbrtParser&, PbrtTokens& tokens, PbrtPlace place) {
   read_definition(tokens, place);
 }
 
-void option(PbrtParser&, PbrtTokens& tokens, PbrtPlace place) { PbrtParams::read(tokens, place); }
+/// A name and one value, of whatever kind.
+void option(PbrtParser&, PbrtTokens& tokens, PbrtPlace) {
+  tokens.text(a_name);
+  const PbrtToken value = tokens.next();
+  if (value.kind != PbrtTokenKind::word && value.kind != PbrtTokenKind::text)
+    fail_pbrt_token(value, "the value of an option");
+}
 
 void color_space(PbrtParser& parser, PbrtTokens& tokens, PbrtPlace place) {
   if (tokens.text(a_name) != "srgb")

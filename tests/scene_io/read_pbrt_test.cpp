@@ -113,7 +113,8 @@ TEST(ReadPbrt, objects_are_groups_placed_by_instances) {
 
 TEST(ReadPbrt, what_pbrt_only_works_with_is_read_past_in_silence) {
   const PbrtResult r = read_pbrt_text(
-      "# comment\nOption \"string rendercoordsys\" \"world\" ColorSpace \"srgb\"\nIntegrator "
+      "# comment\nOption \"seed\" 5 Option \"disablepixeljitter\" true Option "
+      "\"msereferenceimage\" \"a.exr\" ColorSpace \"srgb\"\nIntegrator "
       "\"path\" \"integer maxdepth\" [ 5 ] Sampler \"halton\" \"integer pixelsamples\" 16 "
       "PixelFilter \"box\" Accelerator \"bvh\" \"string splitmethod\" \"sah\" Film \"rgb\" "
       "\"string "
