@@ -217,7 +217,8 @@ void texture(PbrtParser& parser, PbrtTokens& tokens, PbrtPlace place) {
   if (type != "float" && type != "spectrum" && type != "color" && type != "rgb")
     throw Error(place, "a texture of " + in_quotes(type), "pbrt-v4 has float and spectrum");
   PbrtDefinition definition = read_definition(tokens, place, pbrt.graphics.texture_defaults);
-  const auto [known, is_new] = pbrt.textures.insert_or_assign(name, std::move(definition));
+  auto& textures = type == "float" ? pbrt.number_textures : pbrt.color_textures;
+  const auto [known, is_new] = textures.insert_or_assign(name, std::move(definition));
   if (!is_new) pbrt.warnings.add("a texture is defined twice; the last one counts", place);
 }
 

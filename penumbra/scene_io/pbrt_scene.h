@@ -67,7 +67,7 @@ struct PbrtScene {
 
   std::vector<PbrtMaterialSlot> materials;
   std::map<std::string, std::uint32_t, std::less<>> named_materials;
-  std::map<std::string, PbrtDefinition, std::less<>> textures;
+  std::map<std::string, PbrtDefinition, std::less<>> color_textures, number_textures;
 
   std::optional<PbrtDefinition> camera, film;
   Transform camera_from_world;
