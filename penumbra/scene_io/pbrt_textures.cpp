@@ -126,7 +126,7 @@ PbrtPaint PbrtTextures::image(const PbrtDefinition& definition) {
   PbrtPaint paint;
   const auto scale = static_cast<float>(std::clamp(params.number("scale", 1), 0.0, 1e6));
   paint.color = {scale, scale, scale};
-  paint.texture = loader_.from_file(params.text("filename", ""), params.place().line);
+  paint.texture = loader_.from_file(params.text("filename", ""), params.place());
   if (paint.texture < 0) return plain(Color{0.5f, 0.5f, 0.5f} * scale);
   paint.mean =
       mean_color(pbrt_.scene.textures[static_cast<std::size_t>(paint.texture)]) * paint.color;

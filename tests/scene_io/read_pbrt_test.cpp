@@ -158,6 +158,16 @@ TEST(ReadPbrt, includes_are_beside_the_main_file_and_messages_name_them) {
       holds(error_of([&] { read("Include \"main.pbrt\""); }), "does a file include itself?"));
 }
 
+TEST(ReadPbrt, warnings_of_images_name_the_file_that_asks_for_them) {
+  const TemporaryFolder folder;
+  folder.put("materials.pbrt",
+             "\nTexture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"none.png\"\n"
+             "Material \"diffuse\" \"texture reflectance\" \"t\"");
+  const PbrtResult r =
+      read_pbrt_file(load(folder.put("main.pbrt", "Include \"materials.pbrt\" Shape \"sphere\"")));
+  EXPECT_TRUE(warns(r, "materials.pbrt:2: the texture 'none.png' is missing"));
+}
+
 TEST(ReadPbrt, broken_text_is_an_error_with_the_line) {
   EXPECT_TRUE(holds(pbrt_error("\nNonsense"), "t.pbrt:2: unknown directive `Nonsense`"));
   EXPECT_TRUE(holds(pbrt_error("Shape \"sphere"), "t.pbrt:1: a quotation mark is not closed"));
