@@ -86,6 +86,9 @@ struct PbrtScene {
 /// Warns of each parameter that nobody asked for, with the directive in front of its name.
 void warn_unread(PbrtScene& pbrt, std::string_view directive, const PbrtDefinition& definition);
 
+/// Whether a material of that kind is no surface, only the border of a medium.
+bool is_pbrt_interface(std::string_view kind);
+
 /// The shapes that a directive adds to: an open object's, or the scene's.
 ShapeSet& pbrt_target(PbrtScene& pbrt);
 
