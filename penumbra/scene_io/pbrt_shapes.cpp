@@ -13,7 +13,8 @@ namespace {
 bool is_visible(PbrtScene& pbrt, const PbrtParams& params) {
   const PbrtParameter* alpha = params.find("alpha");
   if (!alpha) return true;
-  if (alpha->type != "texture") return params.number("alpha", 1) > 0;
+  const double constant = alpha->type == "texture" ? 0.5 : params.number("alpha", 1);
+  if (constant <= 0 || constant >= 1) return constant > 0;
   pbrt.warnings.add("alpha is not read: see-through parts are drawn opaque", alpha->place);
   return true;
 }

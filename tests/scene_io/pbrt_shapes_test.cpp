@@ -178,3 +178,4 @@ TEST(PbrtShapes, FewNumbersDoNotMakeEndlesslyManyTriangles) {
 
 }  // namespace
 }  // namespace penumbra
+  EXPECT_TRUE(warns(read_pbrt_text("Shape \"sphere\" \"float alpha\" 0.5"), "alpha is not read"));
