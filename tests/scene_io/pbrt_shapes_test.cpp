@@ -96,9 +96,17 @@ TEST(PbrtShapes, ListsOfVerticesAreChecked) {
   EXPECT_TRUE(holds(pbrt_error(mesh + "\"integer indices\" [0 1 4]"), "names vertex 4, but"));
   EXPECT_TRUE(holds(pbrt_error(mesh + "\"integer indices\" [0 1 2 3]"), "do not come in 3s"));
   EXPECT_TRUE(holds(pbrt_error(mesh + "\"integer indices\" [0 1 1.5]"), "names vertex 1.5"));
-  EXPECT_TRUE(holds(pbrt_error(mesh + "\"normal N\" [0 0 1]"), "has 1 normals"));
   EXPECT_TRUE(holds(pbrt_error("Shape \"trianglemesh\""), "a mesh without vertices"));
   EXPECT_TRUE(holds(pbrt_error("Shape \"trianglemesh\" \"point3 P\" [0 0 0 1]"), "threes"));
+}
+
+TEST(PbrtShapes, NormalsAndCoordinatesOfOtherCountsAreLeftOutAsPbrtDoes) {
+  const PbrtResult r = read_pbrt_text(
+      "Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 2]\n"
+      "\"normal N\" [0 0 1] \"point2 uv\" [0 0 1 1]");
+  EXPECT_TRUE(r.scene.shapes.meshes.at(0).normals.empty());
+  EXPECT_TRUE(warns(r, "t.pbrt:1: normals that are not one a vertex are left out"));
+  EXPECT_TRUE(warns(r, "t.pbrt:1: texture coordinates that are not one a vertex are left out"));
 }
 
 TEST(PbrtShapes, BilinearPatchesAreTwoTrianglesWhereFlat) {
