@@ -170,10 +170,19 @@ TEST(PbrtShapes, PlyMeshesAreBesideTheScene) {
                     "s.pbrt:2: there is no mesh file `x.ply`"));
 }
 
+TEST(PbrtShapes, CurvesOfPointsThatAttributeGivesAreCounted) {
+  std::string text = "Attribute \"shape\" \"string basis\" \"bspline\" \"point3 P\" [";
+  for (int i = 0; i < 21; ++i) text += i % 2 ? "0 1 0 " : "1 0 0 ";
+  text += "]\n";
+  for (int i = 0; i < 10'000; ++i) text += "Shape \"curve\" ";
+  EXPECT_TRUE(holds(pbrt_error(text), "t.pbrt:2: the scene makes more triangles than fit"));
+}
+
 TEST(PbrtShapes, WhatIsNoSurfaceIsNotThere) {
   EXPECT_TRUE(holds(pbrt_error("Shape \"cube\""), "t.pbrt:1: unknown shape `cube`"));
   EXPECT_EQ(shapes_of("Shape \"disk\" Material \"interface\" Shape \"sphere\"").spheres.size(), 0u);
   EXPECT_EQ(shapes_of("Shape \"disk\" Shape \"sphere\" \"float alpha\" 0").spheres.size(), 0u);
+  EXPECT_TRUE(warns(read_pbrt_text("Shape \"sphere\" \"float alpha\" 0.5"), "alpha is not read"));
   EXPECT_TRUE(warns(read_pbrt_text("Shape \"disk\" Shape \"sphere\" \"float radius\" 0"),
                     "a shape of no size is left out"));
 }
@@ -186,4 +195,3 @@ TEST(PbrtShapes, FewNumbersDoNotMakeEndlesslyManyTriangles) {
 
 }  // namespace
 }  // namespace penumbra
-  EXPECT_TRUE(warns(read_pbrt_text("Shape \"sphere\" \"float alpha\" 0.5"), "alpha is not read"));
