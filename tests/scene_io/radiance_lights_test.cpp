@@ -61,6 +61,14 @@ TEST(RadianceLights, a_polygon_shines_from_its_front) {
             0);
 }
 
+TEST(RadianceLights, luminaires_say_that_their_distribution_is_not_read) {
+  const RadianceRead read = read_rad(
+      "void brightdata dist 4 flatcorr a.dat source.cal src_theta 0 1 0.5\n"
+      "dist light luminaire 0 0 3 1 1 1\nluminaire ring a 0 0 8 0 0 5 0 0 -1 0 1\n");
+  EXPECT_EQ(read.scene.lights.size(), 1u);
+  EXPECT_TRUE(read.warns_of("brightdata is not read: its lights are as bright in all directions"));
+}
+
 TEST(RadianceLights, the_sun_has_its_angle) {
   const RadianceRead read = read_rad(
       "void light solar 0 0 3 1000 1000 1000\nsolar source sun 0 0 4 0 -3 4 0.5\n"
