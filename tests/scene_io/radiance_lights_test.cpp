@@ -81,6 +81,16 @@ TEST(RadianceLights, the_sun_has_its_angle) {
   EXPECT_EQ(read.scene.background, Color());
 }
 
+TEST(RadianceLights, the_sky_of_gendaylit_counts_by_its_mean) {
+  // 1 + cos² of the angle from the sun, which is in the zenith: 1.5 in the mean.
+  const RadianceRead read = read_rad(
+      "void light solar 0 0 3 1e6 1e6 1e6\nsolar source sun 0 0 4 0 0 1 0.5\n"
+      "void brightfunc skyfunc 2 skybright perezlum.cal 0 10 20 10 0 0 0 0 1 0 0 1\n"
+      "skyfunc glow white 0 0 4 1 1 1 0\nwhite source both 0 0 4 0 0 1 360\n");
+  const double half = 0.25 * pi / 180, sun = 1e6 * pi * std::sin(half) * std::sin(half);
+  EXPECT_NEAR(read.scene.ambient.x, 0.5 * (20 * 1.5 + 10) * pi / sun, 1e-4);
+}
+
 TEST(RadianceLights, the_sky_is_background_and_ambient_in_the_suns_measure) {
   const RadianceRead read = read_rad(
       "void light solar 0 0 3 1e6 1e6 1e6\nsolar source sun 0 0 4 0 0 1 0.5\n"
@@ -94,7 +104,8 @@ TEST(RadianceLights, the_sky_is_background_and_ambient_in_the_suns_measure) {
   ASSERT_TRUE(read.scene.background);
   EXPECT_NEAR(read.scene.background->z, 20 * pi / sun, 1e-4);
   EXPECT_NEAR(read.scene.background->x, 10 * pi / sun, 1e-4);
-  EXPECT_NEAR(read.scene.ambient.z, 0.5 * (20 + 5) * pi / sun, 1e-4);
+  // skybright.cal gives the ground its own brightness, 10 here.
+  EXPECT_NEAR(read.scene.ambient.z, 0.5 * (20 + 2.5) * pi / sun, 1e-4);
   EXPECT_TRUE(read.warns_of("the sky is light from everywhere alike"));
 }
 
