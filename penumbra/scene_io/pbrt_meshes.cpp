@@ -126,7 +126,13 @@ void add_pbrt_ply(PbrtScene& pbrt, const PbrtParams& params) {
   Warnings warnings(path->string());
   Scene ply = read_ply(load(*path), warnings);
   for (const std::string& line : warnings.lines()) pbrt.warnings.add(line, place);
+  const bool is_repeated = !pbrt.mesh_files.insert(file_key(*path)).second;
   for (Mesh& mesh : ply.shapes.meshes) {
+    const std::size_t cost = mesh.positions.size() + mesh.triangles.size();
+    if (is_repeated && cost > pbrt.repeated_left)
+      throw Error(place, "the same mesh files are read again and again",
+                  "use ObjectBegin and ObjectInstance");
+    if (is_repeated) pbrt.repeated_left -= cost;
     mesh.colors.clear();  // pbrt does not know them
     add_pbrt_mesh(pbrt, std::move(mesh), PbrtMeshOrigin::file, place);
   }

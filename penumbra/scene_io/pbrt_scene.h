@@ -80,7 +80,9 @@ struct PbrtScene {
 
   std::size_t corners_left = std::size_t{1} << 27;  ///< vertices and triangles of meshes
   std::size_t made_left = std::size_t{1} << 22;  ///< of them, those that no number in a file backs
-  std::set<std::string> unread;                  ///< warnings about parameters
+  std::size_t repeated_left = std::size_t{1} << 24;  ///< those of mesh files that were read before
+  std::set<std::string> mesh_files;
+  std::set<std::string> unread;  ///< warnings about parameters
 };
 
 /// Warns of each parameter that nobody asked for, with the directive in front of its name.

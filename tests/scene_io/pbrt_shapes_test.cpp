@@ -178,6 +178,23 @@ TEST(PbrtShapes, CurvesOfPointsThatAttributeGivesAreCounted) {
   EXPECT_TRUE(holds(pbrt_error(text), "t.pbrt:2: the scene makes more triangles than fit"));
 }
 
+TEST(PbrtShapesSlow, MeshFilesThatAreReadAgainAreCounted) {
+  const TemporaryFolder folder;
+  std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 500000\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+      "end_header\n";
+  for (int i = 0; i < 500'000; ++i) ply += i % 2 ? "0 0 1\n" : i % 4 ? "0 1 0\n" : "1 0 0\n";
+  folder.put("m.ply", ply + "3 0 1 2\n");
+  const auto read = [&](int times) {
+    std::string text;
+    for (int i = 0; i < times; ++i) text += "Shape \"plymesh\" \"string filename\" \"m.ply\"\n";
+    return read_pbrt_file(load(folder.put("s.pbrt", text)));
+  };
+  EXPECT_EQ(read(2).scene.shapes.meshes.size(), 2u);
+  EXPECT_TRUE(holds(error_of([&] { read(40); }), "s.pbrt:35: the same mesh files are read again"));
+}
+
 TEST(PbrtShapes, WhatIsNoSurfaceIsNotThere) {
   EXPECT_TRUE(holds(pbrt_error("Shape \"cube\""), "t.pbrt:1: unknown shape `cube`"));
   EXPECT_EQ(shapes_of("Shape \"disk\" Material \"interface\" Shape \"sphere\"").spheres.size(), 0u);
