@@ -16,6 +16,9 @@ namespace {
 /// Bezier control points of one piece of a curve; the last one is unused for degree 2.
 using Piece = std::array<Vec3d, 4>;
 
+/// As much memory as so many vertices and triangles.
+constexpr std::size_t cost_of_cone = 4;
+
 Vec3d mix(Vec3d a, Vec3d b, double t) { return a * (1 - t) + b * t; }
 
 /// De Casteljau's scheme.
@@ -92,6 +95,8 @@ void add_pbrt_curve(PbrtScene& pbrt, const PbrtParams& params) {
   const std::vector<Piece> pieces = pieces_of(params, degree);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const int steps = steps_of(pieces[i], degree);
+    // Points that Attribute gives cost no bytes of the file.
+    if (!params.has_own("P")) charge_made(pbrt, cost_of_cone * std::size_t(steps), params.place());
     const auto radius_at = [&](int step) {
       const double share = (static_cast<double>(i) + double(step) / steps) / double(pieces.size());
       return static_cast<float>(std::max(0.0, from + (to - from) * share) / 2 * scale);

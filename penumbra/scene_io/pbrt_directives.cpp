@@ -133,7 +133,7 @@ void import_file(PbrtParser& parser, PbrtTokens& tokens, PbrtPlace place) {
 
 void world_begin(PbrtParser& parser, PbrtTokens&, PbrtPlace) {
   parser.pbrt.graphics.to_world = {};
-  parser.moves_start = true;
+  parser.pbrt.graphics.moves_start = true;
   parser.pbrt.coordinate_systems.insert_or_assign("world", Transform{});
 }
 
@@ -144,7 +144,13 @@ void skip_definition(PbrtParser&, PbrtTokens& tokens, PbrtPlace place) {
   read_definition(tokens, place);
 }
 
-void option(PbrtParser&, PbrtTokens& tokens, PbrtPlace place) { PbrtParams::read(tokens, place); }
+/// A name and one value, of whatever kind.
+void option(PbrtParser&, PbrtTokens& tokens, PbrtPlace) {
+  tokens.text(a_name);
+  const PbrtToken value = tokens.next();
+  if (value.kind != PbrtTokenKind::word && value.kind != PbrtTokenKind::text)
+    fail_pbrt_token(value, "the value of an option");
+}
 
 void color_space(PbrtParser& parser, PbrtTokens& tokens, PbrtPlace place) {
   if (tokens.text(a_name) != "srgb")
@@ -211,7 +217,8 @@ void texture(PbrtParser& parser, PbrtTokens& tokens, PbrtPlace place) {
   if (type != "float" && type != "spectrum" && type != "color" && type != "rgb")
     throw Error(place, "a texture of " + in_quotes(type), "pbrt-v4 has float and spectrum");
   PbrtDefinition definition = read_definition(tokens, place, pbrt.graphics.texture_defaults);
-  const auto [known, is_new] = pbrt.textures.insert_or_assign(name, std::move(definition));
+  auto& textures = type == "float" ? pbrt.number_textures : pbrt.color_textures;
+  const auto [known, is_new] = textures.insert_or_assign(name, std::move(definition));
   if (!is_new) pbrt.warnings.add("a texture is defined twice; the last one counts", place);
 }
 

@@ -161,6 +161,11 @@ std::optional<PbrtGlow> pbrt_glow(PbrtScene& pbrt, double area, std::size_t part
   glow.radiance =
       times(glow.radiance, power_factor(params, sides * pi * area / static_cast<double>(parts)));
   warn_unread(pbrt, "AreaLightSource", definition);
+  const auto& material = pbrt.materials[pbrt.graphics.material].definition;
+  if (material && is_pbrt_interface(material->kind)) {
+    pbrt.warnings.add("an area light on an interface is left out, as pbrt does", params.place());
+    return std::nullopt;
+  }
   if (max_abs(glow.radiance) == 0) return std::nullopt;
   if (pbrt.open_group) {
     pbrt.warnings.add("an area light in an object is left out, as pbrt does", params.place());

@@ -187,7 +187,7 @@ Made Maker::make(const PbrtDefinition& definition) {
   const std::string& kind = definition.kind;
   if (kind == "mix") return mix(params);
   Made made;
-  if (kind.empty() || kind == "interface" || kind == "none") {
+  if (is_pbrt_interface(kind)) {
     made.is_surface = false;
   } else if (kind == "diffuse") {
     diffuse(made, textures_.paint(params, "reflectance", grey));

@@ -16,22 +16,22 @@ namespace penumbra {
 namespace {
 
 /// Positions, and what the file gives for each of them.
-Mesh read_vertices(const PbrtParams& params) {
+Mesh read_vertices(PbrtScene& pbrt, const PbrtParams& params) {
   Mesh mesh;
   mesh.positions = params.points("P");
   mesh.normals = params.points("N");
   mesh.uvs = params.pairs(params.has("uv") ? "uv" : "st");
   if (mesh.positions.empty())
     throw Error(params.place(), "a mesh without vertices", "give it \"point3 P\"");
-  const auto check = [&](std::size_t count, const char* what) {
-    if (count != 0 && count != mesh.positions.size())
-      throw Error(
-          params.place(),
-          fmt::format("a mesh of {} vertices has {} {}", mesh.positions.size(), count, what),
-          "give each vertex one, or none at all");
+  // As pbrt does.
+  const auto check = [&](auto& values, const char* what) {
+    if (values.empty() || values.size() == mesh.positions.size()) return;
+    values.clear();
+    pbrt.warnings.add(fmt::format("{} that are not one a vertex are left out", what),
+                      params.place());
   };
-  check(mesh.normals.size(), "normals");
-  check(mesh.uvs.size(), "texture coordinates");
+  check(mesh.normals, "normals");
+  check(mesh.uvs, "texture coordinates");
   return mesh;
 }
 
@@ -51,8 +51,8 @@ std::vector<std::uint32_t> read_indices(const PbrtParams& params, std::size_t ve
   return indices;
 }
 
-Mesh read_triangles(const PbrtParams& params) {
-  Mesh mesh = read_vertices(params);
+Mesh read_triangles(PbrtScene& pbrt, const PbrtParams& params) {
+  Mesh mesh = read_vertices(pbrt, params);
   const std::vector<std::uint32_t> indices = read_indices(params, mesh.positions.size(), 3);
   for (std::size_t i = 0; i < indices.size(); i += 3)
     mesh.triangles.push_back({indices[i], indices[i + 1], indices[i + 2]});
@@ -103,11 +103,11 @@ void add_grid(Mesh& mesh, const Patch& patch, const std::array<Vec2f, 4>& uv, st
 }  // namespace
 
 void add_pbrt_triangles(PbrtScene& pbrt, const PbrtParams& params) {
-  add_pbrt_mesh(pbrt, read_triangles(params), PbrtMeshOrigin::file, params.place());
+  add_pbrt_mesh(pbrt, read_triangles(pbrt, params), PbrtMeshOrigin::file, params.place());
 }
 
 void add_pbrt_loop(PbrtScene& pbrt, const PbrtParams& params) {
-  Mesh mesh = read_triangles(params);
+  Mesh mesh = read_triangles(pbrt, params);
   params.has("levels");
   params.has("scheme");
   pbrt.warnings.add("a loopsubdiv surface is drawn as its base mesh, not divided", params.place());
@@ -126,7 +126,13 @@ void add_pbrt_ply(PbrtScene& pbrt, const PbrtParams& params) {
   Warnings warnings(path->string());
   Scene ply = read_ply(load(*path), warnings);
   for (const std::string& line : warnings.lines()) pbrt.warnings.add(line, place);
+  const bool is_repeated = !pbrt.mesh_files.insert(file_key(*path)).second;
   for (Mesh& mesh : ply.shapes.meshes) {
+    const std::size_t cost = mesh.positions.size() + mesh.triangles.size();
+    if (is_repeated && cost > pbrt.repeated_left)
+      throw Error(place, "the same mesh files are read again and again",
+                  "use ObjectBegin and ObjectInstance");
+    if (is_repeated) pbrt.repeated_left -= cost;
     mesh.colors.clear();  // pbrt does not know them
     add_pbrt_mesh(pbrt, std::move(mesh), PbrtMeshOrigin::file, place);
   }
@@ -134,7 +140,7 @@ void add_pbrt_ply(PbrtScene& pbrt, const PbrtParams& params) {
 
 void add_pbrt_patches(PbrtScene& pbrt, const PbrtParams& params) {
   constexpr std::uint32_t grid_steps = 8;
-  const Mesh corners = read_vertices(params);
+  const Mesh corners = read_vertices(pbrt, params);
   const std::vector<std::uint32_t> indices = read_indices(params, corners.positions.size(), 4);
   if (params.has("emissionfilename"))
     pbrt.warnings.add("a glowing bilinear mesh's picture is not read", params.place());

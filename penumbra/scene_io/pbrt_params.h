@@ -36,6 +36,8 @@ class PbrtParams {
   /// Nothing where there is none of that name.
   const PbrtParameter* find(std::string_view name) const;
   bool has(std::string_view name) const { return find(name) != nullptr; }
+  /// Whether it is the directive's own, not Attribute's.
+  bool has_own(std::string_view name) const { return find_own(name) != nullptr; }
 
   // The value; `otherwise` where there is none of that name. Throw Error where it is of another
   // type or has another number of values.

@@ -25,7 +25,6 @@ struct PbrtParser {
   std::vector<PbrtSaved> saved;
   std::size_t files_deep = 0, files = 0, repeated_bytes = 0;
   std::set<std::string> known_files;
-  bool moves_start = true;  ///< ActiveTransform: transformations are those at the shutter's opening
 };
 
 using PbrtDirective = void (*)(PbrtParser&, PbrtTokens&, PbrtPlace);

@@ -22,6 +22,10 @@ void warn_unread(PbrtScene& pbrt, std::string_view directive, const PbrtDefiniti
   }
 }
 
+bool is_pbrt_interface(std::string_view kind) {
+  return kind.empty() || kind == "interface" || kind == "none";
+}
+
 ShapeSet& pbrt_target(PbrtScene& pbrt) {
   ShapeSet& shapes = pbrt.scene.shapes;
   return pbrt.open_group ? shapes.groups[*pbrt.open_group] : shapes;

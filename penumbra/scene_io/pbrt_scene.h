@@ -27,7 +27,8 @@ struct PbrtDefinition {
 
 /// What AttributeBegin saves and AttributeEnd brings back.
 struct PbrtGraphics {
-  Transform to_world;  ///< pbrt's current transformation matrix
+  Transform to_world;       ///< pbrt's current transformation matrix
+  bool moves_start = true;  ///< ActiveTransform: of transformations, those at the shutter's opening
   bool is_reversed = false;
   std::uint32_t material = 0;                        ///< index of a PbrtMaterialSlot
   std::shared_ptr<const PbrtDefinition> area_light;  ///< none: shapes do not glow
@@ -66,7 +67,7 @@ struct PbrtScene {
 
   std::vector<PbrtMaterialSlot> materials;
   std::map<std::string, std::uint32_t, std::less<>> named_materials;
-  std::map<std::string, PbrtDefinition, std::less<>> textures;
+  std::map<std::string, PbrtDefinition, std::less<>> color_textures, number_textures;
 
   std::optional<PbrtDefinition> camera, film;
   Transform camera_from_world;
@@ -79,11 +80,16 @@ struct PbrtScene {
 
   std::size_t corners_left = std::size_t{1} << 27;  ///< vertices and triangles of meshes
   std::size_t made_left = std::size_t{1} << 22;  ///< of them, those that no number in a file backs
-  std::set<std::string> unread;                  ///< warnings about parameters
+  std::size_t repeated_left = std::size_t{1} << 24;  ///< those of mesh files that were read before
+  std::set<std::string> mesh_files;
+  std::set<std::string> unread;  ///< warnings about parameters
 };
 
 /// Warns of each parameter that nobody asked for, with the directive in front of its name.
 void warn_unread(PbrtScene& pbrt, std::string_view directive, const PbrtDefinition& definition);
+
+/// Whether a material of that kind is no surface, only the border of a medium.
+bool is_pbrt_interface(std::string_view kind);
 
 /// The shapes that a directive adds to: an open object's, or the scene's.
 ShapeSet& pbrt_target(PbrtScene& pbrt);

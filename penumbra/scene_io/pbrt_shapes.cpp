@@ -13,7 +13,8 @@ namespace {
 bool is_visible(PbrtScene& pbrt, const PbrtParams& params) {
   const PbrtParameter* alpha = params.find("alpha");
   if (!alpha) return true;
-  if (alpha->type != "texture") return params.number("alpha", 1) > 0;
+  const double constant = alpha->type == "texture" ? 0.5 : params.number("alpha", 1);
+  if (constant <= 0 || constant >= 1) return constant > 0;
   pbrt.warnings.add("alpha is not read: see-through parts are drawn opaque", alpha->place);
   return true;
 }
@@ -68,6 +69,10 @@ std::uint32_t pbrt_surface(PbrtScene& pbrt, const std::optional<PbrtGlow>& glow,
   return static_cast<std::uint32_t>(pbrt.materials.size() - 1);
 }
 
+void charge_made(PbrtScene& pbrt, std::size_t cost, PbrtPlace place) {
+  charge(pbrt.made_left, cost, place);
+}
+
 int pbrt_segments(const PbrtScene& pbrt) {
   constexpr std::size_t many = std::size_t{1} << 21;
   return pbrt.graphics.area_light || pbrt.made_left < many ? 16 : 64;
@@ -76,7 +81,7 @@ int pbrt_segments(const PbrtScene& pbrt) {
 void add_pbrt_mesh(PbrtScene& pbrt, Mesh mesh, PbrtMeshOrigin origin, PbrtPlace place) {
   const std::size_t cost = mesh.positions.size() + mesh.triangles.size();
   charge(pbrt.corners_left, cost, place);
-  if (origin == PbrtMeshOrigin::made) charge(pbrt.made_left, cost, place);
+  if (origin == PbrtMeshOrigin::made) charge_made(pbrt, cost, place);
   mesh = transformed(std::move(mesh), pbrt.graphics.to_world);
   orient(mesh, pbrt.graphics.is_reversed);
   if (mesh.triangles.empty()) return;

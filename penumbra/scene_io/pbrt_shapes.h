@@ -36,6 +36,10 @@ enum class PbrtMeshOrigin { file, made };
 /// where the scene grows too large.
 void add_pbrt_mesh(PbrtScene& pbrt, Mesh mesh, PbrtMeshOrigin origin, PbrtPlace place);
 
+/// Counts so many vertices and triangles that few numbers of a file make; throws Error where there
+/// are too many.
+void charge_made(PbrtScene& pbrt, std::size_t cost, PbrtPlace place);
+
 /// Material of a shape in the current state that glows so.
 std::uint32_t pbrt_surface(PbrtScene& pbrt, const std::optional<PbrtGlow>& glow, bool casts_shadow);
 

@@ -47,54 +47,60 @@ Color mean_color(const Texture& texture) {
                                 : Color(sum / static_cast<double>(texture.pixels.size()));
 }
 
-PbrtPaint PbrtTextures::paint(const PbrtParams& params, std::string_view name, Color otherwise) {
+PbrtPaint PbrtTextures::paint(const PbrtParams& params, std::string_view name, Color otherwise,
+                              PbrtTextureOf of) {
   const PbrtParameter* p = params.find(name);
   if (!p) return plain(otherwise);
   if (p->type != "texture") return plain(*pbrt_color(p, SpectrumOf::surface, pbrt_.source.path));
   if (p->texts.size() != 1)
     throw Error(p->place, "parameter " + in_quotes(p->name) + " must name one texture");
-  return named(p->texts[0], p->place);
+  return named(p->texts[0], p->place, of);
 }
 
 double PbrtTextures::number(const PbrtParams& params, std::string_view name, double otherwise) {
   const PbrtParameter* p = params.find(name);
   if (!p) return otherwise;
   if (p->type != "texture") return params.number(name, otherwise);
-  const PbrtPaint value = paint(params, name, {});
+  const PbrtPaint value = paint(params, name, {}, PbrtTextureOf::numbers);
   if (value.texture >= 0)
     pbrt_.warnings.add("a number given by an image is its mean everywhere", p->place);
   return static_cast<double>(value.mean.y);
 }
 
-PbrtPaint PbrtTextures::named(const std::string& name, PbrtPlace place) {
-  if (const auto known = known_.find(name); known != known_.end()) return known->second;
-  const auto definition = pbrt_.textures.find(name);
-  if (definition == pbrt_.textures.end())
+PbrtPaint PbrtTextures::named(const std::string& name, PbrtPlace place, PbrtTextureOf of) {
+  const PbrtDefinition* definition = nullptr;
+  for (const auto* textures : {&pbrt_.color_textures, &pbrt_.number_textures}) {
+    const auto found = textures->find(name);
+    const bool is_wanted = (of == PbrtTextureOf::colors) == (textures == &pbrt_.color_textures);
+    if (found != textures->end() && (is_wanted || !definition)) definition = &found->second;
+  }
+  if (!definition)
     throw Error(place, "there is no texture " + in_quotes(name), "define it with Texture");
+  if (const auto known = known_.find(definition); known != known_.end()) return known->second;
   if (depth_ == most_depth)
     throw Error(place, fmt::format("more than {} textures are made of each other", most_depth),
                 "is one made of itself?");
   ++depth_;
-  const PbrtPaint made = make(definition->second);
+  const PbrtPaint made = make(*definition, of);
   --depth_;
-  return known_[name] = made;
+  return known_[definition] = made;
 }
 
-PbrtPaint PbrtTextures::make(const PbrtDefinition& definition) {
+PbrtPaint PbrtTextures::make(const PbrtDefinition& definition, PbrtTextureOf of) {
   const PbrtParams& params = definition.params;
   const std::string& kind = definition.kind;
-  if (kind == "constant") return paint(params, "value", {1, 1, 1});
+  if (kind == "constant") return paint(params, "value", {1, 1, 1}, of);
   PbrtPaint made;
   if (kind == "imagemap") {
     made = image(definition);
   } else if (kind == "scale") {
-    made = scaled(definition);
+    made = scaled(definition, of);
   } else if (kind == "mix" || kind == "directionmix") {
-    made = mixed(definition);
+    made = mixed(definition, of);
   } else if (kind == "checkerboard") {
-    made = checkerboard(definition);
+    made = checkerboard(definition, of);
   } else if (kind == "dots") {
-    return mean_only(paint(params, "outside", {0, 0, 0}), kind, params.place());
+    return mean_only(paint(params, "outside", {0, 0, 0}, of), kind, params.place());
   } else {
     return mean_only(plain({0.5f, 0.5f, 0.5f}), kind, params.place());
   }
@@ -120,7 +126,7 @@ PbrtPaint PbrtTextures::image(const PbrtDefinition& definition) {
   PbrtPaint paint;
   const auto scale = static_cast<float>(std::clamp(params.number("scale", 1), 0.0, 1e6));
   paint.color = {scale, scale, scale};
-  paint.texture = loader_.from_file(params.text("filename", ""), params.place().line);
+  paint.texture = loader_.from_file(params.text("filename", ""), params.place());
   if (paint.texture < 0) return plain(Color{0.5f, 0.5f, 0.5f} * scale);
   paint.mean =
       mean_color(pbrt_.scene.textures[static_cast<std::size_t>(paint.texture)]) * paint.color;
@@ -130,9 +136,10 @@ PbrtPaint PbrtTextures::image(const PbrtDefinition& definition) {
   return paint;
 }
 
-PbrtPaint PbrtTextures::scaled(const PbrtDefinition& definition) {
+PbrtPaint PbrtTextures::scaled(const PbrtDefinition& definition, PbrtTextureOf of) {
   const PbrtParams& params = definition.params;
-  PbrtPaint a = paint(params, "tex", {1, 1, 1}), b = paint(params, "scale", {1, 1, 1});
+  PbrtPaint a = paint(params, "tex", {1, 1, 1}, of),
+            b = paint(params, "scale", {1, 1, 1}, PbrtTextureOf::numbers);
   if (a.texture >= 0 && b.texture >= 0)
     b = mean_only(b, "image scaled by an image", params.place());
   if (a.texture < 0) std::swap(a, b);
@@ -141,9 +148,10 @@ PbrtPaint PbrtTextures::scaled(const PbrtDefinition& definition) {
   return a;
 }
 
-PbrtPaint PbrtTextures::mixed(const PbrtDefinition& definition) {
+PbrtPaint PbrtTextures::mixed(const PbrtDefinition& definition, PbrtTextureOf of) {
   const PbrtParams& params = definition.params;
-  const PbrtPaint a = paint(params, "tex1", {0, 0, 0}), b = paint(params, "tex2", {1, 1, 1});
+  const PbrtPaint a = paint(params, "tex1", {0, 0, 0}, of),
+                  b = paint(params, "tex2", {1, 1, 1}, of);
   const auto share = static_cast<float>(std::clamp(number(params, "amount", 0.5), 0.0, 1.0));
   if (share == 0) return a;
   if (share == 1) return b;
@@ -152,9 +160,10 @@ PbrtPaint PbrtTextures::mixed(const PbrtDefinition& definition) {
   return mean_only(both, "mix of images", params.place());
 }
 
-PbrtPaint PbrtTextures::checkerboard(const PbrtDefinition& definition) {
+PbrtPaint PbrtTextures::checkerboard(const PbrtDefinition& definition, PbrtTextureOf of) {
   const PbrtParams& params = definition.params;
-  const PbrtPaint a = paint(params, "tex1", {1, 1, 1}), b = paint(params, "tex2", {0, 0, 0});
+  const PbrtPaint a = paint(params, "tex1", {1, 1, 1}, of),
+                  b = paint(params, "tex2", {0, 0, 0}, of);
   const auto map = uv_map(params);
   const PbrtPaint both = plain(blend(a.mean, b.mean, 0.5f));
   constexpr std::size_t most_textures = 256;  // of all

@@ -29,28 +29,32 @@ struct PbrtPaint {
   Color mean{};  ///< of all of it
 };
 
+/// What a texture is of: pbrt looks names up among those of colours or those of numbers.
+enum class PbrtTextureOf { colors, numbers };
+
 class PbrtTextures {
  public:
   explicit PbrtTextures(PbrtScene& pbrt)
       : pbrt_(pbrt), loader_(pbrt.source, pbrt.scene, pbrt.warnings) {}
 
   /// The colour of a parameter of any kind; `otherwise` where there is none of that name.
-  PbrtPaint paint(const PbrtParams& params, std::string_view name, Color otherwise);
+  PbrtPaint paint(const PbrtParams& params, std::string_view name, Color otherwise,
+                  PbrtTextureOf of = PbrtTextureOf::colors);
   /// A parameter that must be one number, of a texture the mean.
   double number(const PbrtParams& params, std::string_view name, double otherwise);
 
  private:
-  PbrtPaint named(const std::string& name, PbrtPlace place);
-  PbrtPaint make(const PbrtDefinition& definition);
+  PbrtPaint named(const std::string& name, PbrtPlace place, PbrtTextureOf of);
+  PbrtPaint make(const PbrtDefinition& definition, PbrtTextureOf of);
   PbrtPaint image(const PbrtDefinition& definition);
-  PbrtPaint scaled(const PbrtDefinition& definition);
-  PbrtPaint mixed(const PbrtDefinition& definition);
-  PbrtPaint checkerboard(const PbrtDefinition& definition);
+  PbrtPaint scaled(const PbrtDefinition& definition, PbrtTextureOf of);
+  PbrtPaint mixed(const PbrtDefinition& definition, PbrtTextureOf of);
+  PbrtPaint checkerboard(const PbrtDefinition& definition, PbrtTextureOf of);
   PbrtPaint mean_only(const PbrtPaint& paint, std::string_view kind, PbrtPlace place);
 
   PbrtScene& pbrt_;
   TextureLoader loader_;
-  std::map<std::string, PbrtPaint, std::less<>> known_;
+  std::map<const PbrtDefinition*, PbrtPaint> known_;
   std::size_t depth_ = 0;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 /// Sets the current transformation; at the shutter's closing nothing is drawn.
 void set(PbrtParser& parser, const Transform& t) {
-  if (parser.moves_start) parser.pbrt.graphics.to_world = t;
+  if (parser.pbrt.graphics.moves_start) parser.pbrt.graphics.to_world = t;
 }
 
 /// What is written later acts first.
@@ -92,7 +92,7 @@ void coord_sys_transform(PbrtParser& parser, PbrtTokens& tokens, PbrtPlace place
   if (known == parser.pbrt.coordinate_systems.end())
     throw Error(place, "there is no coordinate system " + in_quotes(name),
                 "name one with CoordinateSystem before");
-  set(parser, known->second);
+  parser.pbrt.graphics.to_world = known->second;  // of all times, whichever is active
 }
 
 void transform(PbrtParser& parser, PbrtTokens& tokens, PbrtPlace place) {
@@ -119,20 +119,18 @@ void active_transform(PbrtParser& parser, PbrtTokens& tokens, PbrtPlace place) {
   const PbrtToken token = tokens.next();
   if (token.text != "All" && token.text != "StartTime" && token.text != "EndTime")
     fail_pbrt_token(token, "All, StartTime or EndTime");
-  parser.moves_start = token.text != "EndTime";
-  if (!parser.moves_start) parser.pbrt.warnings.add(no_motion, place);
+  bool& moves_start = parser.pbrt.graphics.moves_start;
+  moves_start = token.text != "EndTime";
+  if (!moves_start) parser.pbrt.warnings.add(no_motion, place);
 }
 
+/// What AttributeBegin is: pbrt-v4 has given up the difference.
 void transform_begin(PbrtParser& parser, PbrtTokens&, PbrtPlace place) {
   open_pbrt_block(parser, "TransformBegin", place);
 }
 
 void transform_end(PbrtParser& parser, PbrtTokens&, PbrtPlace place) {
-  const PbrtGraphics now = parser.pbrt.graphics;
   close_pbrt_block(parser, "TransformBegin", "TransformEnd", place);
-  const Transform before = parser.pbrt.graphics.to_world;
-  parser.pbrt.graphics = now;
-  parser.pbrt.graphics.to_world = before;
 }
 
 struct Entry {

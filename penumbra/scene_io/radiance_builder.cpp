@@ -209,8 +209,12 @@ void RadianceBuilder::warn_of(std::uint32_t modifier, const RadianceLook& look,
     warn("surfaces without a material (void) are grey", file, p.line);
   const std::uint32_t odd = modifier == none ? none : modifiers_[modifier].oddity;
   if (odd == none) return;
-  warn(fmt::format("{} is not drawn: its surfaces are plain", modifiers_[odd].primitive->type),
-       file, p.line);
+  const bool lights =
+      look.emission == RadianceEmission::light || look.emission == RadianceEmission::illum;
+  const char* fate = lights
+                         ? "read: its lights are as bright in all directions as their material says"
+                         : "drawn: its surfaces are plain";
+  warn(fmt::format("{} is not {}", modifiers_[odd].primitive->type, fate), file, p.line);
 }
 
 std::optional<std::uint32_t> RadianceBuilder::read_surface(const RadianceFile& file,

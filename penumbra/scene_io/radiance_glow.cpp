@@ -31,7 +31,8 @@ const RadianceLook& RadianceBuilder::look_of(std::uint32_t modifier) {
   const RadianceModifier& chain = modifiers_[modifier];
   const RadianceModifier& m = modifiers_[chain.material];
   look = radiance_look(*m.file, *m.primitive);
-  look.radiance = scaled(look.radiance, chain.brightness);
+  look.radiance_below = scaled(look.radiance, chain.brightness.below);
+  look.radiance = scaled(look.radiance, chain.brightness.above);
   look.spot_direction = m.spot_direction;
   // A mirror's alternate is what is seen; the mirror itself only throws light about.
   if (m.primitive->type == "mirror" && !m.primitive->words.empty()) {

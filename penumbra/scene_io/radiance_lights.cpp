@@ -91,7 +91,7 @@ void add_source(Scene& scene, RadianceLights& lights, const RadianceLook& look, 
   constexpr double nearly_half_deg = 150;
   if (angle_deg < nearly_half_deg) return;  // a patch of sky that is only seen
   if (angle_deg > 270 || towards.z >= 0) lights.sky_above = look.radiance;
-  if (angle_deg > 270 || towards.z < 0) lights.sky_below = look.radiance;
+  if (angle_deg > 270 || towards.z < 0) lights.sky_below = look.radiance_below;
 }
 
 void finish_lights(Scene& scene, RadianceLights lights, Warnings& warnings) {

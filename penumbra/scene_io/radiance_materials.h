@@ -26,6 +26,7 @@ struct RadianceLook {
   Material material;  ///< without emission
   RadianceEmission emission = RadianceEmission::none;
   Color radiance;                  ///< what it sends out
+  Color radiance_below;            ///< the same of a source below the horizon
   std::optional<double> spot_deg;  ///< full angle of a spotlight's cone
   Vec3d spot_direction;            ///< in the coordinates of its file
   bool is_drawn = true;            ///< false: a medium, which has no surface

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -13,12 +14,34 @@ namespace {
 
 constexpr std::uint32_t none = RadianceModifier::none;
 
-/// gensky's sky brightness: its second number is the zenith's radiance, the mean of a hemisphere
+/// Perez's all-weather sky (perezlum.cal: scale, ground, five coefficients, direction of the sun),
+/// as a level surface sees it: the mean over steps of equal irradiance.
+double perez_mean(const std::vector<double>& a) {
+  constexpr int rings = 16, turns = 32;
+  const Vec3d sun = normalize(Vec3d(a[7], a[8], a[9]));
+  double sum = 0;
+  for (int i = 0; i < rings; ++i)
+    for (int j = 0; j < turns; ++j) {
+      const double outward = std::sqrt((i + 0.5) / rings), up = std::sqrt(1 - outward * outward);
+      const double turn = 2 * std::numbers::pi * j / turns;
+      const Vec3d direction(outward * std::cos(turn), outward * std::sin(turn), up);
+      const double cosine = std::clamp(dot(direction, sun), -1.0, 1.0);
+      sum += (1 + a[2] * std::exp(a[3] / up)) *
+             (1 + a[4] * std::exp(a[5] * std::acos(cosine)) + a[6] * cosine * cosine);
+    }
+  return a[0] * sum / (rings * turns);
+}
+
+/// Of gensky's and gendaylit's skies. Of the first it is the zenith's, the mean of a hemisphere
 /// near enough.
-double sky_brightness(const RadiancePrimitive& pattern) {
-  const bool is_sky = pattern.type == "brightfunc" && pattern.words.size() >= 2 &&
-                      pattern.words[1] == "skybright.cal" && pattern.numbers.size() >= 2;
-  return is_sky && pattern.numbers[1] > 0 ? pattern.numbers[1] : 1;
+RadianceBrightness sky_brightness(const RadiancePrimitive& pattern) {
+  const auto sensible = [](double value) { return value >= 0 ? std::min(value, 1e30) : 1; };
+  const std::vector<double>& n = pattern.numbers;
+  if (pattern.type != "brightfunc" || pattern.words.size() < 2) return {};
+  if (pattern.words[1] == "skybright.cal" && n.size() >= 3) return {sensible(n[1]), sensible(n[2])};
+  if (pattern.words[1] == "perezlum.cal" && n.size() >= 10)
+    return {sensible(perez_mean(n)), sensible(n[1])};
+  return {};
 }
 
 }  // namespace
@@ -57,7 +80,9 @@ void RadianceModifiers::complete(RadianceModifier& m, std::uint32_t id) const {
   }
   inherit(m.parent);
   if (is_radiance_pattern(p.type)) {
-    m.brightness *= sky_brightness(p);
+    const RadianceBrightness sky = sky_brightness(p);
+    m.brightness = {std::min(m.brightness.above * sky.above, 1e30),
+                    std::min(m.brightness.below * sky.below, 1e30)};
     m.oddity = id;
     return;
   }
@@ -89,7 +114,7 @@ void RadianceModifiers::define(const RadianceFile& file, const RadiancePrimitive
     m = other;
     m.parent = parent;
     m.material = m.oddity = m.other = none;
-    m.brightness = 1;
+    m.brightness = {};
   } else {
     m.parent = find(p.modifier, file, p);
   }

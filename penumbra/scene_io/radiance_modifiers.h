@@ -18,6 +18,11 @@
 namespace penumbra {
 
 /// A modifier where it is defined. Ids are indices; `none` is void.
+/// What patterns multiply colours by, towards the sky and below the horizon.
+struct RadianceBrightness {
+  double above = 1, below = 1;
+};
+
 struct RadianceModifier {
   static constexpr std::uint32_t none = 0xFFFFFFFF;
 
@@ -27,7 +32,7 @@ struct RadianceModifier {
   std::uint32_t material = none;  ///< the material that the chain leads to: itself, if it is one
   std::uint32_t oddity = none;    ///< nearest texture, pattern or mixture on the way to it
   std::uint32_t other = none;     ///< the alternate material of a mirror or illum
-  double brightness = 1;          ///< what its patterns multiply the material's colours by
+  RadianceBrightness brightness;  ///< of its patterns
   Vec3d spot_direction;           ///< of a spotlight, in the world
   double scale = 1;               ///< of a dielectric: the world's length of one of the file's
 };

@@ -128,7 +128,7 @@ void read_statement(MtlReader& reader, std::string_view keyword, std::string_vie
   } else if (keyword == "illum") {
     s.illum = static_cast<int>(std::clamp(one(), 0.0f, 10.0f));
   } else if (keyword == "map_Kd") {
-    s.texture = reader.textures.from_file(map_file(rest), 0);
+    s.texture = reader.textures.from_file(map_file(rest));
   } else if (keyword != "Ka" &&
              keyword != "sharpness") {  // harmless: we have no ambient of surfaces
     unread();

@@ -38,6 +38,7 @@ PbrtSaved close_pbrt_block(PbrtParser& parser, std::string_view begin, std::stri
 }
 
 void parse_pbrt(PbrtParser& parser, PbrtTokens& tokens) {
+  constexpr std::size_t most_materials = std::size_t{1} << 20;
   for (PbrtToken token = tokens.next(); token.kind != PbrtTokenKind::end; token = tokens.next()) {
     if (token.kind != PbrtTokenKind::word) fail_pbrt_token(token, "a directive such as Shape");
     PbrtDirective directive = find_pbrt_directive(token.text);
@@ -47,6 +48,9 @@ void parse_pbrt(PbrtParser& parser, PbrtTokens& tokens) {
           token.place, "unknown directive " + in_quotes(token.text),
           "pbrt-v4 does not have it; older scenes are brought up to date by pbrt --upgrade");
     directive(parser, tokens, token.place);
+    if (parser.pbrt.materials.size() > most_materials)
+      throw Error(token.place, fmt::format("more than {} materials", most_materials),
+                  "name those that are the same with MakeNamedMaterial");
   }
 }
 

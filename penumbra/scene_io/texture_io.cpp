@@ -147,12 +147,16 @@ std::string file_key(const std::filesystem::path& path) {
   return problem ? path.string() : canonical.string();
 }
 
-std::int32_t TextureLoader::from_file(std::string_view name, std::size_t line) {
+std::int32_t TextureLoader::from_file(std::string_view name,
+                                      const std::optional<Error::Place>& mention) {
+  const auto warn = [&](const std::string& kind) {
+    mention ? warnings_.add(kind, *mention) : warnings_.add(kind);
+  };
   const std::string key = "file " + std::string(name);
   if (const auto known = known_.find(key); known != known_.end()) return known->second;
   const auto path = find_beside(source_.path, name);
   if (!path) {
-    warnings_.add(fmt::format("the texture '{}' is missing; its surfaces are plain", name), line);
+    warn(fmt::format("the texture '{}' is missing; its surfaces are plain", name));
     return known_[key] = -1;
   }
   const std::string file = "file " + file_key(*path);
@@ -161,7 +165,7 @@ std::int32_t TextureLoader::from_file(std::string_view name, std::size_t line) {
   try {
     return known_[key] = known_[file] = from_bytes(key, load(*path).bytes);
   } catch (const Error& error) {
-    warnings_.add(fmt::format("the texture '{}' cannot be read: {}", name, error.problem), line);
+    warn(fmt::format("the texture '{}' cannot be read: {}", name, error.problem));
     return known_[key] = -1;
   }
 }

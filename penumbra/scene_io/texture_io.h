@@ -46,8 +46,8 @@ class TextureLoader {
   TextureLoader(const Source& source, Scene& scene, Warnings& warnings)
       : source_(source), scene_(scene), warnings_(warnings) {}
 
-  /// Index of the texture in the scene. `line`: of the mention, for the warning.
-  std::int32_t from_file(std::string_view name, std::size_t line = 0);
+  /// Index of the texture in the scene. `mention`: where the file is named, for the warning.
+  std::int32_t from_file(std::string_view name, const std::optional<Error::Place>& mention = {});
   /// The same for an image inside the scene's file; `key` names it.
   std::int32_t from_bytes(const std::string& key, std::string_view bytes);
 

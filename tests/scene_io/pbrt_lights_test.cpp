@@ -127,6 +127,14 @@ TEST(PbrtLights, AnAlphaOfZeroLeavesTheLightAlone) {
   EXPECT_EQ(scene.lights.size(), 1u);
 }
 
+TEST(PbrtLights, WhatIsNoSurfaceDoesNotGlow) {
+  const PbrtResult r = read_pbrt_text(
+      subject + "Material \"interface\" AreaLightSource \"diffuse\" Shape \"disk\"\n");
+  EXPECT_TRUE(r.scene.lights.empty());
+  EXPECT_TRUE(r.scene.shapes.rings.empty());
+  EXPECT_TRUE(warns(r, "t.pbrt:1: an area light on an interface is left out, as pbrt does"));
+}
+
 TEST(PbrtLights, ObjectsHaveNoLights) {
   const PbrtResult r = read_pbrt_text(
       "ObjectBegin \"o\" AreaLightSource \"diffuse\" Shape \"sphere\" ObjectEnd ObjectInstance "

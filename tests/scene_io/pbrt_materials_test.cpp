@@ -114,6 +114,17 @@ TEST(PbrtMaterials, ImagesThatAreMissingLeaveThePlainColour) {
             "there is no texture `t`"));
 }
 
+TEST(PbrtMaterials, TexturesOfNumbersAndOfColoursMayShareAName) {
+  const PbrtResult r = read_pbrt_text(
+      "Texture \"t\" \"spectrum\" \"constant\" \"rgb value\" [0.25 0.5 0.75] Texture \"t\" "
+      "\"float\" \"constant\" \"float value\" 1 Material \"conductor\" \"texture reflectance\" "
+      "\"t\" \"texture roughness\" \"t\" Shape \"sphere\"");
+  const Material& metal = r.scene.materials[r.scene.shapes.spheres.at(0).surface];
+  EXPECT_EQ(metal.diffuse, Color(0.25f, 0.5f, 0.75f));
+  EXPECT_EQ(metal.mirror, Color());  // of roughness 1
+  EXPECT_TRUE(r.warnings.empty()) << r.warnings[0];
+}
+
 TEST(PbrtMaterials, CheckerboardsAreImagesAndTheirMeanWhereThereAreNoCoordinates) {
   const std::string board =
       "Texture \"c\" \"spectrum\" \"checkerboard\" \"float uscale\" 4 \"float vscale\" 4 \"rgb "

@@ -96,9 +96,17 @@ TEST(PbrtShapes, ListsOfVerticesAreChecked) {
   EXPECT_TRUE(holds(pbrt_error(mesh + "\"integer indices\" [0 1 4]"), "names vertex 4, but"));
   EXPECT_TRUE(holds(pbrt_error(mesh + "\"integer indices\" [0 1 2 3]"), "do not come in 3s"));
   EXPECT_TRUE(holds(pbrt_error(mesh + "\"integer indices\" [0 1 1.5]"), "names vertex 1.5"));
-  EXPECT_TRUE(holds(pbrt_error(mesh + "\"normal N\" [0 0 1]"), "has 1 normals"));
   EXPECT_TRUE(holds(pbrt_error("Shape \"trianglemesh\""), "a mesh without vertices"));
   EXPECT_TRUE(holds(pbrt_error("Shape \"trianglemesh\" \"point3 P\" [0 0 0 1]"), "threes"));
+}
+
+TEST(PbrtShapes, NormalsAndCoordinatesOfOtherCountsAreLeftOutAsPbrtDoes) {
+  const PbrtResult r = read_pbrt_text(
+      "Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 2]\n"
+      "\"normal N\" [0 0 1] \"point2 uv\" [0 0 1 1]");
+  EXPECT_TRUE(r.scene.shapes.meshes.at(0).normals.empty());
+  EXPECT_TRUE(warns(r, "t.pbrt:1: normals that are not one a vertex are left out"));
+  EXPECT_TRUE(warns(r, "t.pbrt:1: texture coordinates that are not one a vertex are left out"));
 }
 
 TEST(PbrtShapes, BilinearPatchesAreTwoTrianglesWhereFlat) {
@@ -162,10 +170,36 @@ TEST(PbrtShapes, PlyMeshesAreBesideTheScene) {
                     "s.pbrt:2: there is no mesh file `x.ply`"));
 }
 
+TEST(PbrtShapes, CurvesOfPointsThatAttributeGivesAreCounted) {
+  std::string text = "Attribute \"shape\" \"string basis\" \"bspline\" \"point3 P\" [";
+  for (int i = 0; i < 21; ++i) text += i % 2 ? "0 1 0 " : "1 0 0 ";
+  text += "]\n";
+  for (int i = 0; i < 10'000; ++i) text += "Shape \"curve\" ";
+  EXPECT_TRUE(holds(pbrt_error(text), "t.pbrt:2: the scene makes more triangles than fit"));
+}
+
+TEST(PbrtShapesSlow, MeshFilesThatAreReadAgainAreCounted) {
+  const TemporaryFolder folder;
+  std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 500000\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+      "end_header\n";
+  for (int i = 0; i < 500'000; ++i) ply += i % 2 ? "0 0 1\n" : i % 4 ? "0 1 0\n" : "1 0 0\n";
+  folder.put("m.ply", ply + "3 0 1 2\n");
+  const auto read = [&](int times) {
+    std::string text;
+    for (int i = 0; i < times; ++i) text += "Shape \"plymesh\" \"string filename\" \"m.ply\"\n";
+    return read_pbrt_file(load(folder.put("s.pbrt", text)));
+  };
+  EXPECT_EQ(read(2).scene.shapes.meshes.size(), 2u);
+  EXPECT_TRUE(holds(error_of([&] { read(40); }), "s.pbrt:35: the same mesh files are read again"));
+}
+
 TEST(PbrtShapes, WhatIsNoSurfaceIsNotThere) {
   EXPECT_TRUE(holds(pbrt_error("Shape \"cube\""), "t.pbrt:1: unknown shape `cube`"));
   EXPECT_EQ(shapes_of("Shape \"disk\" Material \"interface\" Shape \"sphere\"").spheres.size(), 0u);
   EXPECT_EQ(shapes_of("Shape \"disk\" Shape \"sphere\" \"float alpha\" 0").spheres.size(), 0u);
+  EXPECT_TRUE(warns(read_pbrt_text("Shape \"sphere\" \"float alpha\" 0.5"), "alpha is not read"));
   EXPECT_TRUE(warns(read_pbrt_text("Shape \"disk\" Shape \"sphere\" \"float radius\" 0"),
                     "a shape of no size is left out"));
 }

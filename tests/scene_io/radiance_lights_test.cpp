@@ -61,6 +61,14 @@ TEST(RadianceLights, a_polygon_shines_from_its_front) {
             0);
 }
 
+TEST(RadianceLights, luminaires_say_that_their_distribution_is_not_read) {
+  const RadianceRead read = read_rad(
+      "void brightdata dist 4 flatcorr a.dat source.cal src_theta 0 1 0.5\n"
+      "dist light luminaire 0 0 3 1 1 1\nluminaire ring a 0 0 8 0 0 5 0 0 -1 0 1\n");
+  EXPECT_EQ(read.scene.lights.size(), 1u);
+  EXPECT_TRUE(read.warns_of("brightdata is not read: its lights are as bright in all directions"));
+}
+
 TEST(RadianceLights, the_sun_has_its_angle) {
   const RadianceRead read = read_rad(
       "void light solar 0 0 3 1000 1000 1000\nsolar source sun 0 0 4 0 -3 4 0.5\n"
@@ -71,6 +79,16 @@ TEST(RadianceLights, the_sun_has_its_angle) {
   EXPECT_NEAR(sun.half_angle_rad, 0.25 * pi / 180, 1e-7);
   EXPECT_NEAR(ratio(read.scene), 0.25, 1e-3);  // of the solid angles
   EXPECT_EQ(read.scene.background, Color());
+}
+
+TEST(RadianceLights, the_sky_of_gendaylit_counts_by_its_mean) {
+  // 1 + cos² of the angle from the sun, which is in the zenith: 1.5 in the mean.
+  const RadianceRead read = read_rad(
+      "void light solar 0 0 3 1e6 1e6 1e6\nsolar source sun 0 0 4 0 0 1 0.5\n"
+      "void brightfunc skyfunc 2 skybright perezlum.cal 0 10 20 10 0 0 0 0 1 0 0 1\n"
+      "skyfunc glow white 0 0 4 1 1 1 0\nwhite source both 0 0 4 0 0 1 360\n");
+  const double half = 0.25 * pi / 180, sun = 1e6 * pi * std::sin(half) * std::sin(half);
+  EXPECT_NEAR(read.scene.ambient.x, 0.5 * (20 * 1.5 + 10) * pi / sun, 1e-4);
 }
 
 TEST(RadianceLights, the_sky_is_background_and_ambient_in_the_suns_measure) {
@@ -86,7 +104,8 @@ TEST(RadianceLights, the_sky_is_background_and_ambient_in_the_suns_measure) {
   ASSERT_TRUE(read.scene.background);
   EXPECT_NEAR(read.scene.background->z, 20 * pi / sun, 1e-4);
   EXPECT_NEAR(read.scene.background->x, 10 * pi / sun, 1e-4);
-  EXPECT_NEAR(read.scene.ambient.z, 0.5 * (20 + 5) * pi / sun, 1e-4);
+  // skybright.cal gives the ground its own brightness, 10 here.
+  EXPECT_NEAR(read.scene.ambient.z, 0.5 * (20 + 2.5) * pi / sun, 1e-4);
   EXPECT_TRUE(read.warns_of("the sky is light from everywhere alike"));
 }
 

@@ -56,7 +56,17 @@ TEST(ReadPbrt, attributes_are_saved_and_brought_back) {
   EXPECT_EQ(spheres[2].center, Vec3f(1, 0, 0));
   EXPECT_EQ(scene.materials[spheres[0].surface].diffuse, Color(1, 0, 0));
   EXPECT_EQ(scene.materials[spheres[1].surface].diffuse, Color(0.5f, 0.5f, 0.5f));
-  EXPECT_EQ(scene.materials[spheres[2].surface].diffuse, Color(0, 1, 0));  // transforms alone
+  // TransformBegin is AttributeBegin in pbrt-v4.
+  EXPECT_EQ(scene.materials[spheres[2].surface].diffuse, Color(0.5f, 0.5f, 0.5f));
+}
+
+TEST(ReadPbrt, the_end_of_a_block_makes_transformations_count_again) {
+  expect_near(origin_after("AttributeBegin ActiveTransform EndTime Translate 9 9 9 AttributeEnd "
+                           "Translate 1 2 3"),
+              {1, 2, 3});
+  expect_near(origin_after("Translate 1 2 3 CoordinateSystem \"here\" Identity ActiveTransform "
+                           "EndTime CoordSysTransform \"here\""),
+              {1, 2, 3});  // of all times, whichever is active
 }
 
 TEST(ReadPbrt, blocks_that_do_not_match_are_errors_with_the_line) {
@@ -103,7 +113,8 @@ TEST(ReadPbrt, objects_are_groups_placed_by_instances) {
 
 TEST(ReadPbrt, what_pbrt_only_works_with_is_read_past_in_silence) {
   const PbrtResult r = read_pbrt_text(
-      "# comment\nOption \"string rendercoordsys\" \"world\" ColorSpace \"srgb\"\nIntegrator "
+      "# comment\nOption \"seed\" 5 Option \"disablepixeljitter\" true Option "
+      "\"msereferenceimage\" \"a.exr\" ColorSpace \"srgb\"\nIntegrator "
       "\"path\" \"integer maxdepth\" [ 5 ] Sampler \"halton\" \"integer pixelsamples\" 16 "
       "PixelFilter \"box\" Accelerator \"bvh\" \"string splitmethod\" \"sah\" Film \"rgb\" "
       "\"string "
@@ -145,6 +156,16 @@ TEST(ReadPbrt, includes_are_beside_the_main_file_and_messages_name_them) {
                     "main.pbrt:2: there is no file `none.pbrt`"));
   EXPECT_TRUE(
       holds(error_of([&] { read("Include \"main.pbrt\""); }), "does a file include itself?"));
+}
+
+TEST(ReadPbrt, warnings_of_images_name_the_file_that_asks_for_them) {
+  const TemporaryFolder folder;
+  folder.put("materials.pbrt",
+             "\nTexture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"none.png\"\n"
+             "Material \"diffuse\" \"texture reflectance\" \"t\"");
+  const PbrtResult r =
+      read_pbrt_file(load(folder.put("main.pbrt", "Include \"materials.pbrt\" Shape \"sphere\"")));
+  EXPECT_TRUE(warns(r, "materials.pbrt:2: the texture 'none.png' is missing"));
 }
 
 TEST(ReadPbrt, broken_text_is_an_error_with_the_line) {
