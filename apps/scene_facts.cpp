@@ -282,6 +282,10 @@ std::string to_text(const SceneFacts& facts, const Scene& scene) {
                    beam_text(light.beam));
   if (scene.lights.empty())
     fmt::format_to(to, "light         none: render adds a large and a small one\n");
+  if (scene.ambient != Color{}) fmt::format_to(to, "ambient       {}\n", text(scene.ambient));
+  if (scene.background) fmt::format_to(to, "background    {}\n", text(*scene.background));
+  if (scene.ambient != Color{}) fmt::format_to(to, "ambient       {}\n", text(scene.ambient));
+  if (scene.background) fmt::format_to(to, "background    {}\n", text(*scene.background));
   if (scene.camera)
     fmt::format_to(to, "camera        from {} at {}, up {}, {}, {}x{}\n", text(scene.camera->from),
                    text(scene.camera->at), text(scene.camera->up), view_text(*scene.camera),
@@ -333,6 +337,7 @@ std::string to_json(const SceneFacts& facts, const Scene& scene) {
       {"materials", scene.materials.size()},
       {"textures", scene.textures.size()},
       {"lights", lights},
+      {"ambient", json(scene.ambient)},
       {"camera", camera},
       {"bounds", box_json(facts.bounds)},
       {"object_bounds", box_json(facts.object_bounds)},

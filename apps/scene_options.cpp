@@ -41,6 +41,8 @@ void add_scene_options(CLI::App& command, SceneWishes& w) {
       ->group("Scene");
   add("--ground", "auto|none|HEIGHT", "A floor (default auto: under bare models)",
       [&w](Text text) { w.complete.ground = parse_ground(text); });
+  add("--ambient", "r,g,b", "Light from everywhere, without shadows: 0,0,0 is none",
+      [&w](Text text) { w.complete.ambient = parse_color(text); });
   add("--background", "r,g,b", "Colour where nothing is hit",
       [&w](Text text) { w.complete.background = parse_color(text); });
   command

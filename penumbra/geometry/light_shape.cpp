@@ -118,6 +118,11 @@ std::vector<Vec3d> corners_of(const SunLight&) { return {}; }
 
 }  // namespace
 
+bool is_point(const LightShape& light) {
+  const auto* sun = std::get_if<SunLight>(&light);
+  return std::holds_alternative<PointLight>(light) || (sun && sun->half_angle_rad == 0);
+}
+
 std::optional<Vec3f> center(const LightShape& light) {
   return std::visit(
       [](const auto& shape) -> std::optional<Vec3f> {

@@ -65,6 +65,9 @@ struct SunLight {
 using LightShape = std::variant<PointLight, BallLight, ParallelogramLight, DiskLight, LineLight,
                                 PolygonLight, MeshLight, SunLight>;
 
+/// Whether all of its samples are the same: points, and suns without size.
+bool is_point(const LightShape& light);
+
 /// The point the light shrinks to. Not for suns, which have none: their `direction` takes its
 /// place.
 std::optional<Vec3f> center(const LightShape& light);

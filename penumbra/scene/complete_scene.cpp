@@ -19,6 +19,9 @@ void require(bool holds, const char* problem, const char* hint) {
   if (!holds) throw Error({}, problem, hint);
 }
 
+/// Where a file has lights of its own, what they leave dark stays nearly so.
+constexpr float ambient_beside_lights = 0.25f;
+
 /// The file's camera, or one that frames the objects, as the user changes it.
 Camera choose_camera(const Scene& scene, const Subject& subject, const SceneOptions& options) {
   constexpr double default_fov_deg = 35;
@@ -87,10 +90,13 @@ Scene complete_scene(Scene scene, const SceneOptions& options) {
   if (options.camera) scene.camera = options.camera;
   const Subject subject = detail::subject_of(scene.shapes);
   scene.camera = choose_camera(scene, subject, options);
+  if (options.ambient)
+    scene.ambient = *options.ambient;
+  else if (scene.ambient == Color{})
+    scene.ambient = detail::studio_ambient * (scene.lights.empty() ? 1 : ambient_beside_lights);
   if (!options.lights.empty()) scene.lights = options.lights;
   if (scene.lights.empty())
     scene.lights = detail::studio_lights(subject, scene.up, scene.camera->from);
-  if (scene.ambient == Color{}) scene.ambient = detail::studio_ambient;
   if (options.background) scene.background = options.background;
   if (!scene.background) scene.background = detail::studio_background;
   choose_ground(scene, subject, options);

@@ -25,7 +25,8 @@ struct SceneOptions {
   std::optional<LightRadius> light_radius;  ///< turns points into balls and overrides balls' radius
   std::variant<GroundChoice, double> ground = GroundChoice::automatic;  ///< or a height along `up`
   std::optional<Color> background;
-  bool clear_glass = false;  ///< transmissive materials cast no shadow
+  std::optional<Color> ambient;  ///< light from everywhere, without shadows
+  bool clear_glass = false;      ///< transmissive materials cast no shadow
 };
 
 /// Gives the scene a camera that frames its objects, a ground (bare models), a large and a small

@@ -22,7 +22,7 @@ struct Material {
   Color transmission{};             ///< coefficient of the refracted ray
   float refraction_index = 1;       ///< of the side the normal points away from
   Color emission{};                 ///< added to the surface's own colour
-  bool emits_from_back = true;      ///< false: the front alone (counter-clockwise) lights the scene
+  bool emits_from_back = true;      ///< false: the front alone (counter-clockwise) shines
   std::int32_t texture = -1;        ///< index of the texture that multiplies `diffuse`, or -1
   bool casts_shadow = true;         ///< false: takes no part in any shadow
 };

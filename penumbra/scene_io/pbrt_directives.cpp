@@ -137,7 +137,11 @@ void world_begin(PbrtParser& parser, PbrtTokens&, PbrtPlace) {
   parser.pbrt.coordinate_systems.insert_or_assign("world", Transform{});
 }
 
-void nothing(PbrtParser&, PbrtTokens&, PbrtPlace) {}
+/// pbrt-v4 has none.
+void world_end(PbrtParser&, PbrtTokens&, PbrtPlace place) {
+  throw Error(place, "WorldEnd: this is a scene of pbrt-v3",
+              "convert it: pbrt --upgrade old.pbrt > new.pbrt");
+}
 
 /// How pbrt goes about it: nothing of the scene.
 void skip_definition(PbrtParser&, PbrtTokens& tokens, PbrtPlace place) {
@@ -251,7 +255,7 @@ constexpr Entry directives[] = {{"AttributeBegin", attribute_begin},
                                 {"Include", read_file},
                                 {"Import", import_file},
                                 {"WorldBegin", world_begin},
-                                {"WorldEnd", nothing},
+                                {"WorldEnd", world_end},
                                 {"Option", option},
                                 {"ColorSpace", color_space},
                                 {"Camera", camera},

@@ -168,10 +168,12 @@ void add_pbrt_patches(PbrtScene& pbrt, const PbrtParams& params) {
     constexpr Vec2f square[] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}};
     for (std::size_t k = 0; k < 4; ++k) flat.uvs[indices[k]] = square[k];
   }
-  if (!flat.triangles.empty())
-    add_pbrt_mesh(pbrt, std::move(flat), PbrtMeshOrigin::file, params.place());
-  if (!curved.triangles.empty())
-    add_pbrt_mesh(pbrt, std::move(curved), PbrtMeshOrigin::made, params.place());
+  const std::size_t flat_patches = flat.triangles.size() / 2,
+                    curved_patches = curved.triangles.size() / (2 * grid_steps * grid_steps);
+  if (flat_patches > 0)
+    add_pbrt_mesh(pbrt, std::move(flat), PbrtMeshOrigin::file, params.place(), flat_patches);
+  if (curved_patches > 0)
+    add_pbrt_mesh(pbrt, std::move(curved), PbrtMeshOrigin::made, params.place(), curved_patches);
 }
 
 }  // namespace penumbra

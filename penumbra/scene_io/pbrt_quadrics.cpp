@@ -106,7 +106,8 @@ void add_pbrt_sphere(PbrtScene& pbrt, const PbrtParams& params) {
     return;
   const bool is_all = zone.z_min <= -radius && zone.z_max >= radius && is_whole(zone.angle_rad);
   if (is_all && keeps_spheres(pbrt.graphics.to_world)) return add_whole_sphere(pbrt, radius);
-  add_pbrt_mesh(pbrt, tessellated(zone, pbrt_segments(pbrt)), PbrtMeshOrigin::made, params.place());
+  add_pbrt_mesh(pbrt, tessellated(zone, pbrt_segments(pbrt)), PbrtMeshOrigin::made, params.place(),
+                1);
 }
 
 void add_pbrt_cylinder(PbrtScene& pbrt, const PbrtParams& params) {
@@ -119,7 +120,7 @@ void add_pbrt_cylinder(PbrtScene& pbrt, const PbrtParams& params) {
   const Transform& t = pbrt.graphics.to_world;
   if (!is_whole(wall.angle_rad) || !keeps_cylinders(t) || pbrt.graphics.area_light)
     return add_pbrt_mesh(pbrt, tessellated(wall, pbrt_segments(pbrt)), PbrtMeshOrigin::made,
-                         params.place());
+                         params.place(), 1);
   const auto radius = static_cast<float>(wall.radius * scale_across(t));
   const Cone cone{center_at(t, wall.z_min), center_at(t, wall.z_max), radius, radius, Caps::open,
                   pbrt.graphics.material};
@@ -139,7 +140,8 @@ void add_pbrt_disk(PbrtScene& pbrt, const PbrtParams& params) {
   // A light has no hole.
   if (is_ours && (disk.inner_radius == 0 || !pbrt.graphics.area_light))
     return add_whole_disk(pbrt, disk, normal);
-  add_pbrt_mesh(pbrt, tessellated(disk, pbrt_segments(pbrt)), PbrtMeshOrigin::made, params.place());
+  add_pbrt_mesh(pbrt, tessellated(disk, pbrt_segments(pbrt)), PbrtMeshOrigin::made, params.place(),
+                1);
 }
 
 }  // namespace penumbra

@@ -78,14 +78,16 @@ int pbrt_segments(const PbrtScene& pbrt) {
   return pbrt.graphics.area_light || pbrt.made_left < many ? 16 : 64;
 }
 
-void add_pbrt_mesh(PbrtScene& pbrt, Mesh mesh, PbrtMeshOrigin origin, PbrtPlace place) {
+void add_pbrt_mesh(PbrtScene& pbrt, Mesh mesh, PbrtMeshOrigin origin, PbrtPlace place,
+                   std::size_t lights) {
   const std::size_t cost = mesh.positions.size() + mesh.triangles.size();
   charge(pbrt.corners_left, cost, place);
   if (origin == PbrtMeshOrigin::made) charge_made(pbrt, cost, place);
   mesh = transformed(std::move(mesh), pbrt.graphics.to_world);
   orient(mesh, pbrt.graphics.is_reversed);
   if (mesh.triangles.empty()) return;
-  mesh.surface = pbrt_surface(pbrt, pbrt_glow(pbrt, area_of(mesh), mesh.triangles.size()), true);
+  if (lights == 0) lights = mesh.triangles.size();
+  mesh.surface = pbrt_surface(pbrt, pbrt_glow(pbrt, area_of(mesh), lights), true);
   pbrt_target(pbrt).meshes.push_back(std::move(mesh));
 }
 

@@ -33,8 +33,10 @@ void add_pbrt_curve(PbrtScene& pbrt, const PbrtParams& params);
 enum class PbrtMeshOrigin { file, made };
 
 /// Places a mesh, in the shape's own frame and seen from outside, with its material. Throws Error
-/// where the scene grows too large.
-void add_pbrt_mesh(PbrtScene& pbrt, Mesh mesh, PbrtMeshOrigin origin, PbrtPlace place);
+/// where the scene grows too large. `lights`: how many it is to pbrt where it glows; 0: each
+/// triangle is one.
+void add_pbrt_mesh(PbrtScene& pbrt, Mesh mesh, PbrtMeshOrigin origin, PbrtPlace place,
+                   std::size_t lights = 0);
 
 /// Counts so many vertices and triangles that few numbers of a file make; throws Error where there
 /// are too many.

@@ -138,8 +138,8 @@ void embree_visibilities(const EmbreeBaseline& embree, EmbreeVariant variant,
                          ShadowCounters& counters, std::span<Visibility> seen) {
   EmbreeAnswers answers(embree, variant, scene, light, scratch, counters);
   if (scene.method == Method::hard) return answers.hard(queries, seen);
-  const bool is_point = std::holds_alternative<PointLight>(scene.lights[light]);
-  const std::uint32_t d = is_point ? 1 : scratch.points[0].pattern.size();
+  const bool is_one_ray = is_point(scene.lights[light]);
+  const std::uint32_t d = is_one_ray ? 1 : scratch.points[0].pattern.size();
   if (d % full_call(variant) == 0) {
     for (std::size_t i = 0; i < queries.size(); ++i) seen[i] = answers.alone(queries[i]);
     return;

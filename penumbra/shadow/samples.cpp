@@ -155,8 +155,7 @@ ShadowClass class_by_samples(const SampleScratch& scratch, const Visibility& see
 std::uint32_t take_samples(const ShadowScene& scene, std::uint32_t light, const Receiver& receiver,
                            std::uint64_t key, SampleScratch& scratch) {
   const LightShape& shape = scene.lights[light];
-  const SamplePattern& pattern =
-      std::holds_alternative<PointLight>(shape) ? scratch.center : scratch.pattern;
+  const SamplePattern& pattern = is_point(shape) ? scratch.center : scratch.pattern;
   if (scene.method == Method::hard)
     aim_at_center(shape, receiver.position, scratch.samples);
   else

@@ -28,8 +28,8 @@ Visibility answer(const ShadowScene& scene, std::uint32_t light, const ShadowQue
   const Receiver& receiver = query.receiver;
   const bool is_doubtful = !is_finite(receiver.position) || !is_finite(receiver.normal) ||
                            contains(scene.lights[light], receiver.position);
-  const bool may_prove = has_shadow_set(scene.method) && !is_doubtful &&
-                         !std::holds_alternative<PointLight>(scene.lights[light]);
+  const bool may_prove =
+      has_shadow_set(scene.method) && !is_doubtful && !is_point(scene.lights[light]);
   // Where nothing needs the samples they are not taken.
   const bool is_above = may_prove && is_surely_above(scene.hulls[light], receiver);
   if (!is_above && take_samples(scene, light, receiver, query.key, scratch) == 0)
@@ -73,7 +73,7 @@ void visibilities(const ShadowScene& scene, std::uint32_t light,
                   std::span<const ShadowQuery> queries, OccluderQueue& queue,
                   VisibilityScratch& scratch, ShadowCounters& counters,
                   std::span<Visibility> seen) {
-  if (scene.method == Method::shaft && !std::holds_alternative<PointLight>(scene.lights[light]))
+  if (scene.method == Method::shaft && !is_point(scene.lights[light]))
     return answer_by_tiles(scene, light, queries, queue, scratch.samples, scratch.tile, counters,
                            seen);
   const ProofBudget budget = proof_budget(scratch.samples.pattern.size());

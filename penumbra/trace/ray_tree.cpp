@@ -64,7 +64,7 @@ class Trees {
     const double start = now_seconds();
     std::vector<Color> sums;
     for (const ShadingPoint& point : points)
-      sums.push_back(point.material->emission + context_.scene.ambient * point.diffuse);
+      sums.push_back(emitted(point) + context_.scene.ambient * point.diffuse);
     for (std::uint32_t light = 0; light < context_.scene.lights.size(); ++light) {
       const std::vector<Visibility> seen = ask(wave, hits, points, light);
       for (std::size_t k = 0; k < points.size(); ++k) {

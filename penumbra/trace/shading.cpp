@@ -82,6 +82,11 @@ ShadingPoint shading_point(const Scene& scene, ShapeRef shape, Vec3d origin, Vec
   return point;
 }
 
+Color emitted(const ShadingPoint& point) {
+  const Material& material = *point.material;
+  return material.emits_from_back || !point.surface.is_back ? material.emission : Color{};
+}
+
 Color unshadowed(const Light& light, const ShadingPoint& point) {
   const Vec3f to_light = normalize(towards_center(light.shape, point.receiver));
   double strength = terminator(point, to_light) * beam_factor(light, point.receiver);

@@ -22,6 +22,10 @@ struct ShadingPoint {
 ShadingPoint shading_point(const Scene& scene, ShapeRef shape, Vec3d origin, Vec3d direction,
                            double t);
 
+/// Light of the surface's own, towards the viewer: what shines from its front alone is dark from
+/// behind.
+Color emitted(const ShadingPoint& point);
+
 /// Light reflected towards the viewer if the whole light were visible. It does not depend on d:
 /// Lambert in closed form (see irradiance.h), Phong's highlight by the light's centre. Where
 /// normals are interpolated it goes smoothly to 0 as the light's centre nears the geometric horizon

@@ -116,6 +116,16 @@ TEST(CompleteScene, LightsLeaveWhiteBelowFull) {
   EXPECT_LE(0.8f * sum, 1.0f);
 }
 
+TEST(CompleteScene, AmbientLightIsDimBesideLightsOfTheFilesOwn) {
+  const Scene bare = box_scene({-1, -1, -1}, {1, 1, 1});
+  Scene lit = bare;
+  lit.lights = {{PointLight{{9, 9, 9}}, {2, 2, 2}, Falloff::inverse_square, {}}};
+  EXPECT_LT(complete_scene(lit, {}).ambient.x, 0.5f * complete_scene(bare, {}).ambient.x);
+  SceneOptions none;
+  none.ambient = Color{};
+  EXPECT_EQ(complete_scene(bare, none).ambient, Color{});
+}
+
 TEST(CompleteScene, KeepsWhatTheFileGives) {
   Scene scene = box_scene({-1, -1, -1}, {1, 1, 1});
   scene.wants_ground = false;

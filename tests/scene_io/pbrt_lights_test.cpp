@@ -70,6 +70,27 @@ TEST(PbrtLights, InfiniteLightsAreAmbientAndBackground) {
             "cannot be read"));
 }
 
+/// A shape is one light to pbrt, however many triangles it is to us; a mesh is one a triangle.
+TEST(PbrtLights, PowerIsThatOfTheWholeShape) {
+  const auto emission = [&](const std::string& shape) {
+    const Scene scene =
+        read_pbrt_text(subject + "AreaLightSource \"diffuse\" \"float power\" 100 " + shape).scene;
+    float most = 0;
+    for (const Material& material : scene.materials)
+      most = std::max(most, max_abs(material.emission));
+    return most;
+  };
+  const float ball = emission("Shape \"sphere\"");
+  EXPECT_NEAR(emission("Scale 1 1 1.001 Shape \"sphere\"") / ball, 1, 0.05);
+  EXPECT_NEAR(emission("Shape \"sphere\" \"float zmin\" 0") / ball, 2, 0.1);
+  const std::string corners = "\"point3 P\" [0 0 0 2 0 0 0 2 0 2 2 0] ";
+  const float patch = emission("Shape \"bilinearmesh\" " + corners);
+  EXPECT_NEAR(patch / ball, pi, 0.05);
+  EXPECT_NEAR(
+      emission("Shape \"trianglemesh\" \"integer indices\" [0 1 3 0 3 2] " + corners) / patch, 2,
+      1e-4);
+}
+
 TEST(PbrtLights, GlowingSpheresAreBallsThatDoNotBlockThemselves) {
   const Scene scene = read_pbrt_text(
                           "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [300 200 100] "

@@ -303,5 +303,25 @@ TEST(Visibility, NothingIsProvenOfWhatIsTooSmallBesideTheLightsDistance) {
   }
 }
 
+/// A sun without size is a point far away: its samples are all the same.
+TEST(Visibility, ASunOfNoSizeCostsOneRay) {
+  ShapeSet shapes;
+  shapes.spheres = {{{0, 0, 3}, 1, 0}};
+  const Kernel kernel(shapes, {});
+  const LightShape suns[] = {SunLight{{0, 0, 1}, 0}};
+  for (const Method method : {Method::stochastic, Method::umbra, Method::shaft}) {
+    const ShadowScene scene = prepare_shadows(kernel, shapes, {}, suns, method);
+    VisibilityScratch scratch(32);
+    ShadowCounters counters;
+    OccluderQueue queue;
+    const ShadowQuery queries[] = {{{{0, 0, 0}, {0, 0, 1}}, 1}, {{{5, 0, 0}, {0, 0, 1}}, 2}};
+    Visibility seen[2];
+    visibilities(scene, 0, queries, queue, scratch, counters, seen);
+    EXPECT_EQ(seen[0].cosine_weighted, 0);
+    EXPECT_EQ(seen[1].cosine_weighted, 1);
+    EXPECT_LE(counters.rays, 2u);
+  }
+}
+
 }  // namespace
 }  // namespace penumbra

@@ -58,6 +58,19 @@ TEST(Shading, TheNormalFacesTheViewerOnEitherSide) {
   EXPECT_LT(below.receiver.z, 0);
 }
 
+TEST(Shading, WhatShinesFromItsFrontAloneIsDarkFromBehind) {
+  Scene scene = leaning_facet(0);
+  scene.materials[0].emission = {2, 2, 2};
+  const auto seen_from = [&](double z) {
+    return emitted(shading_point(scene, {ShapeKind::triangle, 0, 0, 0}, {0, 0, z}, {0, 0, -z}, 1))
+        .x;
+  };
+  EXPECT_EQ(seen_from(5), 2);
+  EXPECT_EQ(seen_from(-5), 2);
+  scene.materials[0].emits_from_back = false;
+  EXPECT_EQ(seen_from(5) + seen_from(-5), 2);
+}
+
 TEST(Shading, RefractionObeysSnell) {
   Scene scene = leaning_facet(0);
   scene.materials[0].refraction_index = 1.5f;
