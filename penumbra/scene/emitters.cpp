@@ -100,7 +100,8 @@ EmitterReport add_emitter_lights(Scene& scene, const EmitterOptions& options) {
   const std::vector<EmitterPiece> pieces = pieces_of(surfaces, options);
   std::vector<bool> is_joined(surfaces.size()), is_lit(surfaces.size());
   double sent = 0, astray = 0;
-  const std::vector<std::vector<std::size_t>> groups = groups_of(pieces, options.most_lights);
+  const std::vector<std::vector<std::size_t>> groups =
+      groups_of(pieces, std::max<std::size_t>(options.most_lights, 1));
   // A corner costs each point that asks for the light some 0.2 microseconds.
   const std::size_t most_corners = std::clamp<std::size_t>(128 / groups.size(), 12, 32);
   for (const std::vector<std::size_t>& group : groups) {

@@ -9,7 +9,7 @@
 namespace penumbra {
 
 struct EmitterOptions {
-  std::size_t most_lights = 32;    ///< in all: what there is to compute grows with their number
+  std::size_t most_lights = 32;    ///< in all, at least 1: what there is to compute grows with their number
   std::size_t most_a_surface = 8;  ///< pieces that a surface is cut into
 };
 

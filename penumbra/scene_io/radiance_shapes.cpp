@@ -4,21 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "penumbra/geometry/polygon.h"
+#include "penumbra/geometry/tessellation.h"
 #include "penumbra/scene_io/weld.h"
 
 namespace penumbra {
 namespace {
 
 using Kind = RadianceShape::Kind;
-
-/// Of round things that become triangles.
-constexpr int segments = 24;
 
 Vec3d vector_at(const RadiancePrimitive& p, std::size_t i) {
   return {p.numbers[i], p.numbers[i + 1], p.numbers[i + 2]};
@@ -85,33 +82,6 @@ void add_polygon(Mesh& mesh, const RadianceShape& shape, std::uint32_t surface) 
     add_triangle(mesh, {base + t[0], base + t[1], base + t[2]}, shape.faces_inward, surface);
 }
 
-/// A circle's points, counter-clockwise about `axis`; the first one again where it is 0.
-std::uint32_t add_circle(Mesh& mesh, Vec3d center, const Frame<double>& around, double radius) {
-  const auto base = static_cast<std::uint32_t>(mesh.positions.size());
-  for (int i = 0; i < segments; ++i) {
-    const double angle = 2 * std::numbers::pi * i / segments;
-    mesh.positions.emplace_back(center + around.u * (radius * std::cos(angle)) +
-                                around.v * (radius * std::sin(angle)));
-  }
-  return base;
-}
-
-/// Between two circles, seen from where the way from a to b turns to its right: the outside of a
-/// cylinder from a up to b. Triangles of circles that are points are left out.
-void add_band(Mesh& mesh, std::uint32_t a, std::uint32_t b, bool is_turned, std::uint32_t surface) {
-  for (std::uint32_t i = 0; i < segments; ++i) {
-    const std::uint32_t j = (i + 1) % segments;
-    const auto add = [&](Triangle t) {
-      if (mesh.positions[t[0]] != mesh.positions[t[1]] &&
-          mesh.positions[t[1]] != mesh.positions[t[2]] &&
-          mesh.positions[t[2]] != mesh.positions[t[0]])
-        add_triangle(mesh, t, is_turned, surface);
-    };
-    add({a + i, a + j, b + j});
-    add({a + i, b + j, b + i});
-  }
-}
-
 }  // namespace
 
 RadianceShape radiance_shape(const RadianceFile& file, const RadiancePrimitive& p,
@@ -175,19 +145,21 @@ void add_shape(ShapeSet& shapes, Mesh& polygons, const RadianceShape& shape,
 }
 
 void add_faceted(Mesh& mesh, const RadianceShape& shape, std::uint32_t surface) {
+  // Thousands of lamps are seen from far away.
+  constexpr std::size_t many = 100'000;
+  const int segments = mesh.triangles.size() < many ? 24 : 8;
   const bool turned = shape.faces_inward;
-  if (shape.kind == Kind::ring) {
-    const Frame<double> around = frame_around(turned ? -shape.b : shape.b);
-    const std::uint32_t outer = add_circle(mesh, shape.a, around, shape.r1);
-    add_band(mesh, outer, add_circle(mesh, shape.a, around, shape.r0), false, surface);
-  } else if (shape.kind == Kind::cone) {
-    const Frame<double> around = frame_around(normalize(shape.b - shape.a));
-    const std::uint32_t base = add_circle(mesh, shape.a, around, shape.r0);
-    const std::uint32_t apex = add_circle(mesh, shape.b, around, shape.r1);
-    add_band(mesh, base, apex, turned, surface);
-    add_band(mesh, add_circle(mesh, shape.a, around, 0), base, turned, surface);
-    add_band(mesh, apex, add_circle(mesh, shape.b, around, 0), turned, surface);
-  }
+  const auto r0 = static_cast<float>(shape.r0), r1 = static_cast<float>(shape.r1);
+  const bool is_ring = shape.kind == Kind::ring;
+  const Mesh part =
+      is_ring
+          ? tessellated(Ring{Vec3f(shape.a), Vec3f(turned ? -shape.b : shape.b), r1, r0, 0},
+                        segments)
+          : tessellated(Cone{Vec3f(shape.a), Vec3f(shape.b), r0, r1, Caps::capped, 0}, segments);
+  const std::uint32_t base = next_vertex(mesh, part.positions.size());
+  mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
+  for (const Triangle& t : part.triangles)
+    add_triangle(mesh, {base + t[0], base + t[1], base + t[2]}, turned && !is_ring, surface);
 }
 
 void finish_polygons(ShapeSet& shapes, Mesh polygons) {

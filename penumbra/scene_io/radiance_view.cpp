@@ -31,9 +31,9 @@ constexpr std::uint32_t picture_height = 512, most_pixels = 4096;
 
 struct Reader {
   View& view;
-  Error::Place place;
   std::filesystem::path beside;
   int depth = 0;
+  Error::Place place{};
 };
 
 bool read_lines(Reader& reader, const std::filesystem::path& file);
@@ -109,7 +109,8 @@ bool read_lines(Reader& reader, const std::filesystem::path& file) {
   if (reader.depth == deepest)
     throw Error(reader.place, "view files name one another without end", "take a -vf out");
   const Source source = load(file);
-  Reader inner{reader.view, {file.string(), {}, {}}, file.parent_path(), reader.depth + 1};
+  Reader inner{reader.view, file.parent_path(), reader.depth + 1};
+  inner.place.file = file.string();
   TextLines lines(source.bytes, LineJoints::backslash);
   bool is_any = false;
   while (const auto line = lines.next()) {
@@ -184,7 +185,7 @@ RadianceView parse_radiance_view(std::string_view text, const std::filesystem::p
   if (words.empty()) throw Error({}, "the view is empty", "give a view file, or view options");
   if (!words[0].starts_with('-')) return read_radiance_view(beside / std::string(trimmed(text)));
   View view;
-  Reader reader{view, {}, beside};
+  Reader reader{view, beside};
   for (std::size_t i = 0; i < words.size();) {
     const std::size_t taken = take_option(reader, words, i);
     if (taken == 0)
@@ -197,7 +198,8 @@ RadianceView parse_radiance_view(std::string_view text, const std::filesystem::p
 
 RadianceView read_radiance_view(const std::filesystem::path& file) {
   View view;
-  Reader reader{view, {file.string(), {}, {}}, {}};
+  Reader reader{view, {}};
+  reader.place.file = file.string();
   if (!read_lines(reader, file))
     throw Error({file.string(), {}, {}}, "holds no view",
                 "a view file has a line such as `rvu -vtv -vp 0 -5 1 -vd 0 1 0`");
