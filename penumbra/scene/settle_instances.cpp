@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t few_primitives = 4, few_vertices = 16;
 constexpr std::size_t most_flat_parts = std::size_t{1} << 24;
 constexpr std::size_t most_stretched_triangles = std::size_t{1} << 24,
-                      good_stretched_triangles = most_stretched_triangles / 4;
+                      good_stretched_triangles = most_stretched_triangles / 8;
 constexpr int fewest_segments = 8, most_segments = 48;
 
 std::size_t quadric_count(const ShapeSet& shapes) {

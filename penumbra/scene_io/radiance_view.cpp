@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -75,6 +77,10 @@ std::size_t take_option(Reader& reader, const std::vector<std::string>& words, s
     case 'f':
       if (i + 1 == words.size())
         throw Error(reader.place, "-vf names no view file", "name one after it");
+      // The name may be as long as a file: it is quoted, not the place of an error.
+      if (std::error_code ignored; !std::filesystem::exists(reader.beside / words[i + 1], ignored))
+        throw Error(reader.place, fmt::format("there is no view file {}", in_quotes(words[i + 1])),
+                    "put it beside the file that names it");
       if (!read_lines(reader, reader.beside / words[i + 1]))
         throw Error(reader.place, fmt::format("{} holds no view", in_quotes(words[i + 1])),
                     "a view file has a line such as `rvu -vtv -vp 0 -5 1 -vd 0 1 0`");
