@@ -26,8 +26,9 @@ template <class F>
 bool each_record(const RecordTable& records, F&& f) {
   const auto each_of = [&](const RecordRun& run) {
     const auto end = run.first + static_cast<std::uint32_t>(run.stored.size());
+    Record room;
     for (std::uint32_t i = run.first; i < end; ++i)
-      if (run.placement ? f(run[i], i) : f(run.stored[i], i)) return true;
+      if (f(run.get(i, room), i)) return true;
     return false;
   };
   if (each_of({records.own(), nullptr, 0})) return true;

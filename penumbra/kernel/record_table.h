@@ -18,9 +18,10 @@ struct RecordRun {
   const Placement* placement = nullptr;  ///< null: they are in the world as they are
   std::uint32_t first = 0;               ///< index of the first
 
-  Record operator[](std::uint32_t index) const {
+  /// The reference is to the stored record, or to `room`.
+  const Record& get(std::uint32_t index, Record& room) const {
     const Record& record = stored[index - first];
-    return placement ? placed(record, *placement) : record;
+    return placement ? room = placed(record, *placement) : record;
   }
 };
 
@@ -36,7 +37,7 @@ class RecordTable {
   /// up for placed ones, 20 ns.
   const Record& get(std::uint32_t index, Record& room) const {
     if (index < own_.size()) return own_[index];
-    return room = run_of(index)[index];
+    return run_of(index).get(index, room);
   }
   Record operator[](std::uint32_t index) const {
     Record room;

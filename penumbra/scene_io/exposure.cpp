@@ -130,7 +130,11 @@ std::vector<double> irradiances(const Scene& scene) {
   if (scene.lights.empty()) return values;
   std::vector<SurfaceSample> samples = surface_samples(scene);
   if (scene.camera) samples = in_view(samples, *scene.camera);
-  const std::size_t step = 1 + samples.size() / most_points;
+  // Some microseconds each: a crowd of lights is asked about at fewer points.
+  constexpr std::size_t most_questions = 200'000, fewest_points = 32;
+  const std::size_t points =
+      std::clamp(most_questions / scene.lights.size(), fewest_points, most_points);
+  const std::size_t step = 1 + samples.size() / points;
   for (std::size_t i = 0; i < samples.size(); i += step) {
     const auto [p, n] = samples[i];
     double value = 0;

@@ -12,7 +12,7 @@ namespace penumbra {
 /// the surfaces that do not glow, of the side that the camera sees, if there is one, else of the
 /// brighter one; of the points within the camera's view where these are enough. Nothing is in the
 /// way. The brightest of red, green and blue; rising; without points that no light reaches. At most
-/// some thousand points. Indices need not be valid.
+/// some thousand points, fewer where there are hundreds of lights. Indices need not be valid.
 std::vector<double> irradiances(const Scene& scene);
 
 /// Files give candela and lux (or watts), from a candle to the sun, and leave exposure to the

@@ -84,8 +84,9 @@ struct SheetBits {
 HWY_INLINE SheetBits test_sheet(const SightLanes& sight, const RecordRun& records,
                                 std::span<const TriangleSheet::Member> members) {
   alignas(64) float corner[9][lane_count] = {};
+  Record room;
   for (std::size_t lane = 0; lane < members.size(); ++lane) {
-    const Record record = records[members[lane].record];
+    const Record& record = records.get(members[lane].record, room);
     for (int i = 0; i < 9; ++i) corner[i][lane] = record.number[i];
   }
   SheetLanes t;
@@ -154,7 +155,8 @@ bool sheet_covers(const TriangleSheet& sheet, const RecordTable& records, const 
                   std::uint64_t& tests) {
   const RecordRun run = records.run_of(start);
   const TriangleSheet::Part part = sheet.part_of(run);
-  const Record first = run[start];
+  Record room;
+  const Record& first = run.get(start, room);
   if (!part.neighbors || first.kind != ShapeKind::triangle || !first.casts_shadow) return false;
   return HWY_DYNAMIC_DISPATCH(SheetCovers)(part, run, light, start, most_triangles, scratch, tests);
 }
