@@ -52,6 +52,15 @@ std::vector<std::uint32_t> welded_vertices(const Mesh& mesh) {
   return first;
 }
 
+double area(const Mesh& mesh) {
+  double sum = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3d a(mesh.positions[t[0]]), b(mesh.positions[t[1]]), c(mesh.positions[t[2]]);
+    sum += length(cross(b - a, c - a)) / 2;
+  }
+  return sum;
+}
+
 Box bounds(const Mesh& mesh) {
   Box box;
   for (const Triangle& triangle : mesh.triangles)

@@ -63,6 +63,9 @@ struct MeshTopology {
 /// Cost: O(n log n). Triangles must be free of degenerate ones.
 MeshTopology topology(const Mesh& mesh);
 
+/// Of all triangles together.
+double area(const Mesh& mesh);
+
 /// Smallest box of all corners that triangles use.
 Box bounds(const Mesh& mesh);
 

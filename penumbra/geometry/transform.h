@@ -2,6 +2,8 @@
 // Affine maps: placing what files put into nodes.
 #pragma once
 
+#include <optional>
+
 #include "penumbra/geometry/mesh.h"
 #include "penumbra/geometry/vec.h"
 
@@ -35,6 +37,9 @@ inline Transform compose(const Transform& outer, const Transform& inner) {
   return {apply_direction(outer, inner.x_axis), apply_direction(outer, inner.y_axis),
           apply_direction(outer, inner.z_axis), apply_point(outer, inner.offset)};
 }
+
+/// The map backwards; nothing where it is singular or not finite.
+std::optional<Transform> inverse(const Transform& t);
 
 /// The mesh placed by t; a mirroring map flips the triangles, so that outside stays outside.
 Mesh transformed(Mesh mesh, const Transform& t);

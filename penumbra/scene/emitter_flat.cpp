@@ -108,19 +108,13 @@ void add(const std::vector<FlatPiece>& flats, const Plane& plane, Shines shines,
   }
 }
 
-double area_of(const GlowingSurface& surface) {
-  double sum = 0;
-  for (const GlowingTriangle& t : surface.triangles) sum += area_of(t);
-  return sum;
-}
-
 /// Power by each piece's part of all: what tilted triangles and the sides of slabs have more than
 /// what is seen of them in the plane is spread over all.
 void give_power(std::vector<EmitterPiece>& pieces, const GlowingSurface& surface) {
   const double sides = surface.is_two_sided && !surface.is_closed ? 2 : 1;
   double sum = 0;
   for (const EmitterPiece& piece : pieces) sum += piece.power.x;
-  const Vec3d power = Vec3d(surface.radiance) * (sides * area_of(surface));
+  const Vec3d power = Vec3d(surface.radiance) * (sides * area_of(surface.triangles));
   for (EmitterPiece& piece : pieces) {
     piece.power = power * (piece.power.x / sum);
     const Vec3d n = piece.axis;

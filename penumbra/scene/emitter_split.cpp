@@ -54,12 +54,6 @@ struct Glow {
   Vec3d power_per_area;
 };
 
-double area_of(std::span<const GlowingTriangle> triangles) {
-  double sum = 0;
-  for (const GlowingTriangle& t : triangles) sum += area_of(t);
-  return sum;
-}
-
 /// The light that a part would be, roughly: its corners are few, and its intensity 1.
 Fault fault_of(std::span<const GlowingTriangle> triangles, const Glow& glow) {
   EmitterPiece piece = piece_of(triangles, glow.sides, Vec3d(1, 1, 1));

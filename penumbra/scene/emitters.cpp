@@ -22,11 +22,10 @@ std::vector<double> shares_of(std::span<const GlowingSurface> surfaces) {
   std::vector<double> shares;
   double sum = 0;
   for (const GlowingSurface& surface : surfaces) {
-    double area = 0;
-    for (const GlowingTriangle& t : surface.triangles) area += area_of(t);
     const Color c = surface.radiance;
     shares.push_back(
-        area * (static_cast<double>(c.x) + static_cast<double>(c.y) + static_cast<double>(c.z)));
+        area_of(surface.triangles) *
+        (static_cast<double>(c.x) + static_cast<double>(c.y) + static_cast<double>(c.z)));
     sum += shares.back();
   }
   for (double& share : shares) share /= sum;

@@ -18,7 +18,7 @@ struct EmitterReport {
   std::size_t surfaces = 0;  ///< glowing surfaces: triangles that hang together, once a placement
   std::size_t lights = 0;    ///< added to the scene
   std::size_t joined = 0;    ///< surfaces that share a light with others
-  std::size_t dark = 0;      ///< surfaces too thin or too large to be a light
+  std::size_t dark = 0;      ///< surfaces too thin or too large to be a light; they cast no shadow either
   /// Of the light that the surfaces send far away, each direction by itself, the share that the
   /// lights send elsewhere; 0 for what is flat, some hundredths for round and nearly convex ones.
   double misdirected = 0;

@@ -71,10 +71,12 @@ void clean(std::vector<GlowingTriangle>& triangles, bool is_two_sided) {
   std::sort(triangles.begin(), triangles.end(), comes_before);
   triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   if (!is_two_sided) return;
-  // (a, b, c) before (a, c, b), as b is before c.
+  // (a, b, c) stays and (a, c, b) goes, where b is before c. Asked of all as they were: what is
+  // being erased from is in no order.
+  const std::vector<GlowingTriangle> all = triangles;
   std::erase_if(triangles, [&](const GlowingTriangle& t) {
     return is_before(t[2], t[1]) &&
-           std::binary_search(triangles.begin(), triangles.end(), GlowingTriangle{t[0], t[2], t[1]},
+           std::binary_search(all.begin(), all.end(), GlowingTriangle{t[0], t[2], t[1]},
                               comes_before);
   });
 }
@@ -161,8 +163,7 @@ GlowingSurface simplified(std::span<const GlowingSurface> group) {
     const std::vector<Vec3f> few = extreme_points(points, most_corners);
     for (std::size_t i = 2; i < few.size(); ++i)
       simple.triangles.push_back(rotated({few[0], few[i - 1], few[i]}));
-    double area = 0;
-    for (const GlowingTriangle& t : simple.triangles) area += area_of(t);
+    const double area = area_of(simple.triangles);
     simple.radiance = area > 0 ? Color(power / (2 * area)) : Color{};
   }
   clean(simple.triangles, true);
@@ -210,6 +211,12 @@ Vec3d normal_of(const GlowingTriangle& t) {
 }
 
 double area_of(const GlowingTriangle& t) { return 0.5 * length(normal_of(t)); }
+
+double area_of(std::span<const GlowingTriangle> triangles) {
+  double sum = 0;
+  for (const GlowingTriangle& t : triangles) sum += area_of(t);
+  return sum;
+}
 
 std::vector<GlowingSurface> glowing_surfaces(const Scene& scene) {
   std::vector<GlowingSurface> surfaces = surfaces_of(scene, scene.shapes.meshes);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "penumbra/scene/scene.h"
@@ -15,6 +16,7 @@ using GlowingTriangle = std::array<Vec3f, 3>;
 /// Twice the area long.
 Vec3d normal_of(const GlowingTriangle& triangle);
 double area_of(const GlowingTriangle& triangle);
+double area_of(std::span<const GlowingTriangle> triangles);
 
 /// Triangles that hang together by corners and glow alike, in the world, each there once: of
 /// several in one place one is left, or one a side where they shine from their front alone.

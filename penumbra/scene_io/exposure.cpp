@@ -155,7 +155,7 @@ double balance_lights(Scene& scene) {
   if (values.empty()) return 1;
   const double factor = 1 / values[values.size() * 9 / 10];
   if (!std::isfinite(factor) || !(factor > 0)) return 1;
-  for (Light& light : scene.lights) light.intensity = Color(Vec3d(light.intensity) * factor);
+  for (Light& light : scene.lights) light.intensity = scaled(light.intensity, factor);
   return factor;
 }
 

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "penumbra/scene_io/gltf_uri.h"
+#include "penumbra/scene_io/rough_highlight.h"
 
 namespace penumbra {
 
@@ -113,14 +114,6 @@ GltfUvUse uv_use(const GltfDocument& gltf, const Json& reference) {
   return use;
 }
 
-/// Phong's exponent whose lobe is as wide as that of this roughness (alpha = roughness²; Walter et
-/// al. 2007, and Lafortune and Willems' normalisation).
-void set_highlight(Material& m, Color f0, double roughness) {
-  const double alpha = std::max(roughness * roughness, 1e-3);
-  m.shininess = static_cast<float>(std::clamp(2 / (alpha * alpha) - 2, 1.0, 2000.0));
-  m.highlight = min(f0 * std::min((m.shininess + 2) / 2, 8.0f), Color{1, 1, 1});
-}
-
 void set_metal_and_glass(Builder& b, const Json& json, Material& m) {
   static const Json empty = Json::object();
   const Json* found = member(json, "pbrMetallicRoughness");
@@ -143,8 +136,9 @@ void set_metal_and_glass(Builder& b, const Json& json, Material& m) {
     ior = std::max(number_of(b.gltf, *e, "ior", 1.5), 1.0);
   const double reflected = (ior - 1) / (ior + 1);
   const auto dielectric = static_cast<float>(reflected * reflected);
-  set_highlight(m, Color{dielectric, dielectric, dielectric} * (1 - metallic) + base * metallic,
-                roughness);
+  const double alpha = roughness * roughness;
+  set_rough_highlight(
+      m, Color{dielectric, dielectric, dielectric} * (1 - metallic) + base * metallic, alpha);
 
   const Json* glass = extension(json, "KHR_materials_transmission");
   if (!glass) return;
@@ -162,7 +156,8 @@ void set_metal_and_glass(Builder& b, const Json& json, Material& m) {
 /// KHR_materials_pbrSpecularGlossiness, which older files have instead of metal and roughness.
 void set_specular_glossiness(const GltfDocument& gltf, const Json& specular, Material& m) {
   const double glossiness = std::clamp(number_of(gltf, specular, "glossinessFactor", 1), 0.0, 1.0);
-  set_highlight(m, color_of(gltf, specular, "specularFactor", 3, {1, 1, 1}) * 0.1f, 1 - glossiness);
+  const double alpha = (1 - glossiness) * (1 - glossiness);
+  set_rough_highlight(m, color_of(gltf, specular, "specularFactor", 3, {1, 1, 1}) * 0.1f, alpha);
 }
 
 const char* base_factor_key(const Json& json) {

@@ -15,8 +15,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Color times(Color color, double factor) { return max(Color(Vec3d(color) * factor), Color{}); }
-
 double largest(Color color) { return static_cast<double>(max_abs(color)); }
 
 /// What the film makes of radiance.
@@ -49,15 +47,16 @@ void expose_pbrt(PbrtScene& pbrt) {
   Color around = pbrt.surroundings.radiance;
   if (!scene.lights.empty()) {
     const double factor = exposure_of(pbrt, around);
-    for (Light& light : scene.lights) light.intensity = times(light.intensity, factor / pi);
-    for (Material& material : scene.materials) material.emission = times(material.emission, factor);
-    around = times(around, factor);
+    for (Light& light : scene.lights) light.intensity = scaled(light.intensity, factor / pi);
+    for (Material& material : scene.materials)
+      material.emission = scaled(material.emission, factor);
+    around = scaled(around, factor);
     scene.ambient = around;
   } else if (pbrt.surroundings.place) {
     // Nothing here casts a shadow: lamps are hung up (complete_scene), beside which this is dim.
     constexpr double dim = 0.25;
-    if (largest(around) > 0) scene.ambient = times(around, dim / largest(around));
-    if (largest(around) > 1) around = times(around, 1 / largest(around));
+    if (largest(around) > 0) scene.ambient = scaled(around, dim / largest(around));
+    if (largest(around) > 1) around = scaled(around, 1 / largest(around));
     pbrt.warnings.add("the scene is lit by its surroundings alone; two lamps are added",
                       *pbrt.surroundings.place);
   }

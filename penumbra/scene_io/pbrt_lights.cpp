@@ -17,12 +17,10 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Color times(Color color, double factor) { return max(Color(Vec3d(color) * factor), Color{}); }
-
 /// The colour of a light, times `scale`; white where the file gives none.
 Color light_color(const PbrtScene& pbrt, const PbrtParams& params, std::string_view name) {
   const auto color = pbrt_color(params.find(name), SpectrumOf::light, pbrt.source.path);
-  return times(color.value_or(Color{1, 1, 1}), params.number("scale", 1));
+  return max(scaled(color.value_or(Color{1, 1, 1}), params.number("scale", 1)), Color{});
 }
 
 /// "power" (of the whole light) over `share`, the power of one of intensity or radiance 1.
@@ -55,7 +53,7 @@ Beam beam_of(Vec3d axis, double full_deg, double none_deg, PbrtPlace place) {
 
 void add_point(PbrtScene& pbrt, const PbrtParams& params) {
   Light light = point_light(pbrt, params);
-  light.intensity = times(light.intensity, power_factor(params, 4 * pi));
+  light.intensity = scaled(light.intensity, power_factor(params, 4 * pi));
   add(pbrt, std::move(light));
 }
 
@@ -67,7 +65,7 @@ void add_spot(PbrtScene& pbrt, const PbrtParams& params) {
       beam_of(apply_direction(pbrt.graphics.to_world, way), angle - delta, angle, params.place());
   const double full = light.beam->cos_full, none = light.beam->cos_none;
   light.intensity =
-      times(light.intensity, power_factor(params, 2 * pi * ((1 - full) + (full - none) / 2)));
+      scaled(light.intensity, power_factor(params, 2 * pi * ((1 - full) + (full - none) / 2)));
   add(pbrt, std::move(light));
 }
 
@@ -77,7 +75,7 @@ void add_projection(PbrtScene& pbrt, const PbrtParams& params) {
   const double half_fov = params.number("fov", 90) / 2;
   light.beam = beam_of(apply_direction(pbrt.graphics.to_world, {0, 0, 1}), half_fov, half_fov + 5,
                        params.place());
-  light.intensity = times(light.intensity, power_factor(params, 4 * pi));
+  light.intensity = scaled(light.intensity, power_factor(params, 4 * pi));
   add(pbrt, std::move(light));
 }
 
@@ -90,7 +88,7 @@ void add_distant(PbrtScene& pbrt, const PbrtParams& params) {
   Light light;
   light.shape = SunLight{Vec3f(direction), 0};
   const double illuminance = params.number("illuminance", -1);
-  light.intensity = times(light_color(pbrt, params, "L"), illuminance > 0 ? illuminance : 1);
+  light.intensity = scaled(light_color(pbrt, params, "L"), illuminance > 0 ? illuminance : 1);
   add(pbrt, std::move(light));
 }
 
@@ -114,7 +112,7 @@ void add_infinite(PbrtScene& pbrt, const PbrtParams& params) {
   else
     pbrt.warnings.add("an infinite light is the same all around, without shadows", params.place());
   if (const double illuminance = params.number("illuminance", -1); illuminance > 0)
-    radiance = times(radiance, illuminance / pi);
+    radiance = scaled(radiance, illuminance / pi);
   pbrt.surroundings.radiance += radiance;
   pbrt.surroundings.place = params.place();
 }
@@ -159,7 +157,7 @@ std::optional<PbrtGlow> pbrt_glow(PbrtScene& pbrt, double area, std::size_t part
   glow.is_two_sided = params.flag("twosided", false);
   const double sides = glow.is_two_sided ? 2 : 1;
   glow.radiance =
-      times(glow.radiance, power_factor(params, sides * pi * area / static_cast<double>(parts)));
+      scaled(glow.radiance, power_factor(params, sides * pi * area / static_cast<double>(parts)));
   warn_unread(pbrt, "AreaLightSource", definition);
   const auto& material = pbrt.materials[pbrt.graphics.material].definition;
   if (material && is_pbrt_interface(material->kind)) {

@@ -10,6 +10,7 @@
 
 #include "penumbra/scene_io/numbers.h"
 #include "penumbra/scene_io/pbrt_textures.h"
+#include "penumbra/scene_io/rough_highlight.h"
 
 namespace penumbra {
 namespace {
@@ -50,14 +51,6 @@ class Maker {
 float reflected_along_normal(double index) {
   const double r = (index - 1) / (index + 1);
   return static_cast<float>(r * r);
-}
-
-/// Phong's exponent and height whose lobe is as wide as that of this roughness (alpha; Walter et
-/// al. 2007).
-void add_highlight(Material& m, Color f0, double alpha) {
-  const double a = std::max(alpha, 0.03);
-  m.shininess = static_cast<float>(std::clamp(2 / (a * a) - 2, 1.0, 2000.0));
-  m.highlight = min(f0 * std::min((m.shininess + 2) / 2, 8.0f), Color{1, 1, 1});
 }
 
 /// The share of what a rough surface mirrors that is still a picture of its surroundings.
@@ -105,7 +98,7 @@ void Maker::metal(Made& made, const PbrtParams& params, const std::string& prefi
   made.material.mirror = f0 * clear_share(width);
   // What is in between is the highlight's.
   diffuse(made, {f0, -1, {}, f0}, static_cast<float>(std::clamp(width * width, 0.0, 1.0)));
-  add_highlight(made.material, f0, width);
+  set_rough_highlight(made.material, f0, width);
 }
 
 void Maker::coat(Made& made, const PbrtParams& params, const std::string& prefix) {
@@ -113,7 +106,7 @@ void Maker::coat(Made& made, const PbrtParams& params, const std::string& prefix
   const double width = alpha(params, prefix, 0);
   const Color white{f0, f0, f0};
   made.material.mirror += white * clear_share(width);
-  if (max_abs(made.material.highlight) == 0) add_highlight(made.material, white, width);
+  if (max_abs(made.material.highlight) == 0) set_rough_highlight(made.material, white, width);
 }
 
 void Maker::glass(Made& made, const PbrtParams& params, bool is_thin) {
@@ -127,7 +120,7 @@ void Maker::glass(Made& made, const PbrtParams& params, bool is_thin) {
   m.refraction_index = is_thin ? 1 : static_cast<float>(eta);
   m.casts_shadow = !is_thin;
   const double width = alpha(params, "", 0);
-  add_highlight(m, m.mirror, width);
+  set_rough_highlight(m, m.mirror, width);
   if (width > 0.05) pbrt_.warnings.add("rough glass is drawn clear", params.place());
 }
 

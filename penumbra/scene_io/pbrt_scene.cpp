@@ -31,16 +31,4 @@ ShapeSet& pbrt_target(PbrtScene& pbrt) {
   return pbrt.open_group ? shapes.groups[*pbrt.open_group] : shapes;
 }
 
-std::optional<Transform> inverse(const Transform& t) {
-  const double volume = determinant(t);
-  if (volume == 0 || !std::isfinite(volume)) return std::nullopt;
-  const Vec3d x = cross(t.y_axis, t.z_axis) / volume, y = cross(t.z_axis, t.x_axis) / volume,
-              z = cross(t.x_axis, t.y_axis) / volume;  // the rows
-  Transform back{{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}, {}};
-  back.offset = -apply_direction(back, t.offset);
-  const bool is_good = is_finite(back.x_axis) && is_finite(back.y_axis) && is_finite(back.z_axis) &&
-                       is_finite(back.offset);
-  return is_good ? std::optional(back) : std::nullopt;
-}
-
 }  // namespace penumbra

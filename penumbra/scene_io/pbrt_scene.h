@@ -94,7 +94,4 @@ bool is_pbrt_interface(std::string_view kind);
 /// The shapes that a directive adds to: an open object's, or the scene's.
 ShapeSet& pbrt_target(PbrtScene& pbrt);
 
-/// The map backwards; nothing where it is singular or not finite.
-std::optional<Transform> inverse(const Transform& t);
-
 }  // namespace penumbra

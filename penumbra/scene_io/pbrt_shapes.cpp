@@ -35,15 +35,6 @@ void orient(Mesh& mesh, bool is_reversed) {
     if (mesh.normals.empty() ? is_reversed : agreement(mesh, t) < 0) std::swap(t[1], t[2]);
 }
 
-double area_of(const Mesh& mesh) {
-  double sum = 0;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3d a(mesh.positions[t[0]]), b(mesh.positions[t[1]]), c(mesh.positions[t[2]]);
-    sum += length(cross(b - a, c - a)) / 2;
-  }
-  return sum;
-}
-
 void charge(std::size_t& left, std::size_t cost, PbrtPlace place) {
   if (cost > left)
     throw Error(place, "the scene makes more triangles than fit into memory", "split the scene");
@@ -87,7 +78,7 @@ void add_pbrt_mesh(PbrtScene& pbrt, Mesh mesh, PbrtMeshOrigin origin, PbrtPlace 
   orient(mesh, pbrt.graphics.is_reversed);
   if (mesh.triangles.empty()) return;
   if (lights == 0) lights = mesh.triangles.size();
-  mesh.surface = pbrt_surface(pbrt, pbrt_glow(pbrt, area_of(mesh), lights), true);
+  mesh.surface = pbrt_surface(pbrt, pbrt_glow(pbrt, area(mesh), lights), true);
   pbrt_target(pbrt).meshes.push_back(std::move(mesh));
 }
 

@@ -14,8 +14,6 @@ namespace {
 constexpr std::uint32_t none = RadianceModifier::none;
 constexpr std::size_t most_lights = 10'000;
 
-Color scaled(Color c, double factor) { return Color(Vec3d(c) * factor); }
-
 void check_light_count(const Scene& scene, const RadianceFile& file, const RadiancePrimitive& p) {
   if (scene.lights.size() >= most_lights)
     throw Error({file.path.string(), p.line, {}}, "more than 10000 lights",

@@ -17,8 +17,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Color scaled(Color c, double factor) { return Color(Vec3d(c) * factor); }
-
 /// Radiant intensity along the normal: radiance times area.
 Light flat_light(LightShape shape, Color radiance, double area, Vec3d normal) {
   return {std::move(shape), scaled(radiance, area), Falloff::inverse_square,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/scene_io/radiance_materials.h"
+#include "penumbra/scene_io/rough_highlight.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,11 +53,7 @@ void set_reflection(Material& m, Color color, Color specular, double roughness) 
   const auto mirrored = static_cast<float>(sharp * sharp);
   m.diffuse = color + specular * (1 - mirrored);
   m.mirror = specular * mirrored;
-  if (!(roughness > 0)) return;
-  // Phong's exponent of a lobe as wide (Walter et al. 2007), as bright as the normalised one as far
-  // as a picture shows it.
-  m.shininess = static_cast<float>(std::clamp(2 / (roughness * roughness) - 2, 1.0, 2000.0));
-  m.highlight = min(specular * std::min((m.shininess + 2) / 2, 8.0f), Color{1, 1, 1});
+  if (roughness > 0) set_rough_highlight(m, specular, roughness);
 }
 
 /// plastic and metal and those like them: red green blue specularity [roughness ...]. The highlight

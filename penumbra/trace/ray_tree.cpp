@@ -65,8 +65,12 @@ class Trees {
     std::vector<Color> sums;
     for (const ShadingPoint& point : points)
       sums.push_back(emitted(point) + context_.scene.ambient * point.diffuse);
+    Questions q;
+    std::vector<Visibility> seen;
     for (std::uint32_t light = 0; light < context_.scene.lights.size(); ++light) {
-      const std::vector<Visibility> seen = ask(wave, hits, points, light);
+      ask(wave, hits, points, light, q);
+      seen.assign(points.size(), {});
+      for (std::size_t i = 0; i < q.point.size(); ++i) seen[q.point[i]] = q.answers[i];
       for (std::size_t k = 0; k < points.size(); ++k) {
         const bool matters = seen[k].cosine_weighted > 0 || nodes_;
         const Color u = matters ? unshadowed(context_.scene.lights[light], points[k]) : Color{};
@@ -81,25 +85,29 @@ class Trees {
     scratch_.shadow_seconds += now_seconds() - start;
   }
 
-  /// How much of a light each point sees. No question is asked, whatever the method, where the
-  /// light's beam sends nothing.
-  std::vector<Visibility> ask(const Wave& wave, const std::vector<std::uint32_t>& hits,
-                              const std::vector<ShadingPoint>& points, std::uint32_t light) {
-    std::vector<std::size_t> asked;
+  /// What is asked about one light, of which points, and the answers.
+  struct Questions {
+    std::vector<std::size_t> point;
     std::vector<ShadowQuery> queries;
+    std::vector<Visibility> answers;
+  };
+
+  /// How much of a light the points see. No question is asked, whatever the method, where the
+  /// light's beam sends nothing.
+  void ask(const Wave& wave, const std::vector<std::uint32_t>& hits,
+           const std::vector<ShadingPoint>& points, std::uint32_t light, Questions& q) {
+    q.point.clear(), q.queries.clear();
     for (std::size_t k = 0; k < points.size(); ++k) {
       if (!(beam_factor(context_.scene.lights[light], points[k].receiver) > 0)) continue;
-      asked.push_back(k);
-      queries.push_back({{points[k].receiver, points[k].normal},
-                         light_key(hash(wave.rays[hits[k]].sample_key, wave.path), light)});
+      q.point.push_back(k);
+      q.queries.push_back({{points[k].receiver, points[k].normal},
+                           light_key(hash(wave.rays[hits[k]].sample_key, wave.path), light)});
     }
-    std::vector<Visibility> answers(queries.size()), seen(points.size());
-    visibilities(context_.shadows, light, queries, scratch_.cache.queue(wave.path, light),
-                 scratch_.visibility, scratch_.counters.shadow, answers);
-    if (scratch_.observe && !queries.empty())
-      (*scratch_.observe)({scratch_.block, wave.path, light, queries, answers});
-    for (std::size_t i = 0; i < asked.size(); ++i) seen[asked[i]] = answers[i];
-    return seen;
+    q.answers.resize(q.queries.size());
+    visibilities(context_.shadows, light, q.queries, scratch_.cache.queue(wave.path, light),
+                 scratch_.visibility, scratch_.counters.shadow, q.answers);
+    if (scratch_.observe && !q.queries.empty())
+      (*scratch_.observe)({scratch_.block, wave.path, light, q.queries, q.answers});
   }
 
   /// The next two waves. Total reflection carries what would have gone through.

@@ -11,15 +11,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-double area(const Mesh& mesh) {
-  double sum = 0;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3d a(mesh.positions[t[0]]), b(mesh.positions[t[1]]), c(mesh.positions[t[2]]);
-    sum += length(cross(b - a, c - a)) / 2;
-  }
-  return sum;
-}
-
 bool is_closed(const Mesh& mesh) {
   const MeshTopology found = topology(mesh);
   return found.is_closed.size() == 1 && found.is_closed[0] && found.boundary_edges == 0;

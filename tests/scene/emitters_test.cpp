@@ -8,6 +8,7 @@
 #include <random>
 
 #include "penumbra/scene/check_light.h"
+#include "penumbra/scene/glowing_surface.h"
 #include "tests/scene/emitter_meshes.h"
 #include "tests/scene/emitter_sums.h"
 
@@ -204,6 +205,19 @@ TEST(Emitters, dirt_changes_nothing) {
     for (Material& material : broken.materials) material.emission = none;
     EXPECT_EQ(add_emitter_lights(broken).surfaces, 0u);
   }
+}
+
+TEST(Emitters, many_faces_with_their_backs_are_there_once) {
+  Mesh doubled = squares(200);
+  const std::size_t count = doubled.triangles.size();
+  for (std::size_t t = 0; t < count; ++t) {
+    const Triangle front = doubled.triangles[t];
+    doubled.triangles.push_back({front[0], front[2], front[1]});
+  }
+  std::size_t found = 0;
+  for (const GlowingSurface& surface : glowing_surfaces(glowing(doubled, {1, 2, 3}, true)))
+    found += surface.triangles.size();
+  EXPECT_EQ(found, count);
 }
 
 TEST(Emitters, are_lights_that_methods_take) {

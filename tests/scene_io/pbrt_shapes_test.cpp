@@ -16,15 +16,6 @@ constexpr double pi = std::numbers::pi;
 
 ShapeSet shapes_of(const std::string& text) { return read_pbrt_text(text).scene.shapes; }
 
-double area(const Mesh& mesh) {
-  double sum = 0;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3d a(mesh.positions[t[0]]), b(mesh.positions[t[1]]), c(mesh.positions[t[2]]);
-    sum += length(cross(b - a, c - a)) / 2;
-  }
-  return sum;
-}
-
 Vec3d face_normal(const Mesh& mesh, std::size_t i = 0) {
   const Triangle& t = mesh.triangles[i];
   const Vec3d a(mesh.positions[t[0]]), b(mesh.positions[t[1]]), c(mesh.positions[t[2]]);
