@@ -9,6 +9,7 @@
 #include "penumbra/shadow/hull_proof.h"
 #include "penumbra/shadow/offset.h"
 #include "penumbra/shadow/shaft.h"
+#include "penumbra/shadow/sheet_proof.h"
 #include "penumbra/shadow/spatial_order.h"
 
 namespace penumbra {
@@ -185,8 +186,12 @@ class Tile {
     return is_umbra;
   }
 
-  bool is_outline_hidden(const SeenLight& sight);
-  bool is_behind_sheet(const SeenLight& sight, std::size_t receivers);
+  bool is_behind_sheet(const SeenLight& sight, std::size_t receivers) {
+    const auto most = static_cast<std::uint32_t>(std::min<std::size_t>(
+        sheet_a_sample * samples_.pattern.size() * receivers, SheetScratch::most));
+    return penumbra::is_behind_sheet(scene_, sight, most, scratch_.outline, scratch_.sheet,
+                                     counters_.set_tests);
+  }
 
   /// A proof for all of a group. Where a light straddles the horizon, samples have a say still.
   void all_are(std::size_t first, std::size_t count, ShadowClass shadow_class) {
@@ -319,50 +324,6 @@ class Tile {
   AnswerRows answers_;
   std::uint64_t above_ = 0;  // rows that see the whole light above their horizon
 };
-
-constexpr std::uint32_t outline_rays = 8;
-
-/// Whether rays to the light's outline are all blocked: where one is not, no proof is looked for.
-bool Tile::is_outline_hidden(const SeenLight& sight) {
-  constexpr float diagonal = 0.70710678f;
-  constexpr float turns[outline_rays][2] = {
-      {1, 0},  {diagonal, diagonal},   {0, 1},  {-diagonal, diagonal},
-      {-1, 0}, {-diagonal, -diagonal}, {0, -1}, {diagonal, -diagonal}};
-  LightSamples& rays = scratch_.outline;
-  rays.resize(outline_rays);
-  rays.origin = sight.p, rays.t_max = 1;
-  const Frame<float> frame = frame_around(sight.way / sight.distance);
-  for (std::size_t i = 0; i < rays.x.size(); ++i) {
-    const float* turn = turns[i % outline_rays];
-    const Vec3f way = sight.way + (frame.u * turn[0] + frame.v * turn[1]) * form_.size;
-    rays.x[i] = way.x, rays.y[i] = way.y, rays.z[i] = way.z;
-  }
-  const std::uint32_t active[] = {(1u << outline_rays) - 1};
-  std::uint32_t blocked[1];
-  counters_.set_tests += scene_.kernel->occluded(rays, active, blocked).tests;
-  return blocked[0] == active[0];
-}
-
-/// Whether what stands before the light's centre goes on to its outline: the nearest sheet, or the
-/// last.
-bool Tile::is_behind_sheet(const SeenLight& sight, std::size_t receivers) {
-  const Kernel& kernel = *scene_.kernel;
-  Ray ray{sight.p, sight.way};
-  ray.t_max = 1;
-  const std::uint32_t nearest = kernel.closest_record(ray);
-  if (nearest == no_record || kernel.records()[nearest].kind != ShapeKind::triangle ||
-      !is_outline_hidden(sight))
-    return false;
-  const auto most = static_cast<std::uint32_t>(std::min<std::size_t>(
-      sheet_a_sample * samples_.pattern.size() * receivers, SheetScratch::most));
-  const auto covers = [&](std::uint32_t start) {
-    return sheet_covers(*scene_.sheet, kernel.records(), sight, start, most, scratch_.sheet,
-                        counters_.set_tests);
-  };
-  if (covers(nearest)) return true;
-  const std::uint32_t last = kernel.closest_record({sight.p + sight.way, -sight.way, 0, 1});
-  return last != no_record && last != nearest && covers(last);
-}
 
 }  // namespace
 
