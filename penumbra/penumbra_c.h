@@ -60,7 +60,7 @@ enum {
   PENUMBRA_OK = 0,
   PENUMBRA_ERROR_INVALID_ARGUMENT = 1,
   PENUMBRA_ERROR_INVALID_HANDLE = 2,
-  /* A question before the first commit; any call from within a progress function. */
+  /* A question or fact before the first commit; any call from within a progress function. */
   PENUMBRA_ERROR_INVALID_OPERATION = 3,
   PENUMBRA_ERROR_OUT_OF_MEMORY = 4,
   PENUMBRA_ERROR_CANCELLED = 5, /* The progress function said so. */
@@ -132,9 +132,11 @@ PENUMBRA_C_API penumbra_error penumbra_add_cones(penumbra_occluders occluders, p
                                                  penumbra_rows apexes, penumbra_rows base_radii,
                                                  penumbra_rows apex_radii, uint32_t caps,
                                                  penumbra_geometry* out);
+/* Rings where there are inner radii; {0} for none. */
 PENUMBRA_C_API penumbra_error penumbra_add_disks(penumbra_occluders occluders,
                                                  penumbra_rows centers, penumbra_rows normals,
-                                                 penumbra_rows radii, penumbra_geometry* out);
+                                                 penumbra_rows radii, penumbra_rows inner_radii,
+                                                 penumbra_geometry* out);
 
 /* `shapes` may be released afterwards; its arrays must stay. */
 PENUMBRA_C_API penumbra_error penumbra_add_group(penumbra_occluders occluders,
@@ -145,20 +147,18 @@ PENUMBRA_C_API penumbra_error penumbra_add_instance(penumbra_occluders occluders
                                                     penumbra_group group, const double* placement,
                                                     penumbra_instance* out);
 
-/* The arrays hold other positions now. */
-PENUMBRA_C_API penumbra_error penumbra_update_geometry(penumbra_occluders occluders,
-                                                       penumbra_geometry geometry);
-/* Positions (centres, bases) are elsewhere now; as many as before. */
+/* What the arrays hold may change between commits; these give other arrays, of as many rows, for
+ * positions of vertices, centres, bases; and other placements. */
 PENUMBRA_C_API penumbra_error penumbra_move_geometry(penumbra_occluders occluders,
                                                      penumbra_geometry geometry,
                                                      penumbra_rows positions);
+/* `geometry` is one of the occluders that the group was made of. */
+PENUMBRA_C_API penumbra_error penumbra_move_group(penumbra_occluders occluders,
+                                                  penumbra_group group, penumbra_geometry geometry,
+                                                  penumbra_rows positions);
 PENUMBRA_C_API penumbra_error penumbra_move_instance(penumbra_occluders occluders,
                                                      penumbra_instance instance,
                                                      const double* placement);
-/* `geometry` is one of the occluders that the group was made of. */
-PENUMBRA_C_API penumbra_error penumbra_update_group(penumbra_occluders occluders,
-                                                    penumbra_group group,
-                                                    penumbra_geometry geometry);
 
 PENUMBRA_C_API penumbra_error penumbra_remove_geometry(penumbra_occluders occluders,
                                                        penumbra_geometry geometry);
@@ -232,7 +232,8 @@ typedef struct penumbra_ask_options {
   uint32_t shadow_samples; /* d, 1 to 65536; 32 by default */
   uint32_t method;
   uint32_t light_index;
-  uint32_t threads; /* 0: all cores */
+  uint32_t keys_are_final; /* 0 or 1: `light_index` is not read, as penumbra_light_key was asked */
+  uint32_t threads;        /* 0: all cores */
   penumbra_progress_function progress;
   void* progress_user;
 } penumbra_ask_options;
@@ -297,6 +298,9 @@ PENUMBRA_C_API penumbra_error penumbra_light_samples(const penumbra_light* light
                                                      const float* position, uint64_t key,
                                                      uint32_t light_index, float* out,
                                                      size_t count);
+
+/* What the samples of a light at a point are drawn by. */
+PENUMBRA_C_API uint64_t penumbra_light_key(uint64_t point_key, uint32_t light_index);
 
 /* --- Facts of what was committed last --- */
 

@@ -93,10 +93,10 @@ penumbra_error penumbra_add_cones(penumbra_occluders occluders, penumbra_rows ba
 
 penumbra_error penumbra_add_disks(penumbra_occluders occluders, penumbra_rows centers,
                                   penumbra_rows normals, penumbra_rows radii,
-                                  penumbra_geometry* out) {
+                                  penumbra_rows inner_radii, penumbra_geometry* out) {
   return add_geometry(__func__, occluders, out, [&](Occluders& to) {
     return to.add_disks(rows_of<Vec3f>(centers, "centers"), rows_of<Vec3f>(normals, "normals"),
-                        rows_of<float>(radii, "radii"));
+                        rows_of<float>(radii, "radii"), rows_of<float>(inner_radii, "inner_radii"));
   });
 }
 
@@ -122,12 +122,6 @@ penumbra_error penumbra_add_instance(penumbra_occluders occluders, penumbra_grou
   });
 }
 
-penumbra_error penumbra_update_geometry(penumbra_occluders occluders, penumbra_geometry geometry) {
-  return change(__func__, occluders, [&](ApiObject& object) {
-    object.occluders.update(GeometryId{object.geometries.number_of(geometry.id)});
-  });
-}
-
 penumbra_error penumbra_move_geometry(penumbra_occluders occluders, penumbra_geometry geometry,
                                       penumbra_rows positions) {
   return change(__func__, occluders, [&](ApiObject& object) {
@@ -144,12 +138,13 @@ penumbra_error penumbra_move_instance(penumbra_occluders occluders, penumbra_ins
   });
 }
 
-penumbra_error penumbra_update_group(penumbra_occluders occluders, penumbra_group group,
-                                     penumbra_geometry geometry) {
+penumbra_error penumbra_move_group(penumbra_occluders occluders, penumbra_group group,
+                                   penumbra_geometry geometry, penumbra_rows positions) {
   return change(__func__, occluders, [&](ApiObject& object) {
     const std::uint32_t number = object.groups.number_of(group.id);
     const std::uint64_t source = object.group_sources[number];
-    object.occluders.update(GroupId{number}, GeometryId{geometry_number(geometry, source)});
+    object.occluders.update(GroupId{number}, GeometryId{geometry_number(geometry, source)},
+                            rows_of<Vec3f>(positions, "positions"));
   });
 }
 

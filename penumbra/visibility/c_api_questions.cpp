@@ -100,7 +100,8 @@ penumbra_error penumbra_default_ask_options(penumbra_ask_options* options, size_
     write_struct(options, {.struct_size = 0,
                            .shadow_samples = defaults.shadow_samples,
                            .method = PENUMBRA_METHOD_SHAFT,
-                           .light_index = defaults.light_index,
+                           .light_index = 0,
+                           .keys_are_final = 0,
                            .threads = defaults.threads,
                            .progress = nullptr,
                            .progress_user = nullptr});
@@ -198,9 +199,13 @@ penumbra_error penumbra_light_samples(const penumbra_light* light, const float* 
   });
 }
 
+uint64_t penumbra_light_key(uint64_t point_key, uint32_t light_index) {
+  return light_key(point_key, light_index);
+}
+
 penumbra_error penumbra_bounds(penumbra_occluders occluders, float* lo, float* hi) {
   return guarded(__func__, occluders, [&] {
-    const std::shared_ptr<ApiObject> object = object_of(occluders);
+    const std::shared_ptr<ApiObject> object = committed_object(occluders);
     check_pointer(lo, "lo");
     check_pointer(hi, "hi");
     const Box box = object->occluders.bounds();
@@ -211,7 +216,7 @@ penumbra_error penumbra_bounds(penumbra_occluders occluders, float* lo, float* h
 
 penumbra_error penumbra_memory_bytes(penumbra_occluders occluders, uint64_t* out) {
   return guarded(__func__, occluders, [&] {
-    const std::shared_ptr<ApiObject> object = object_of(occluders);
+    const std::shared_ptr<ApiObject> object = committed_object(occluders);
     check_pointer(out, "out");
     const std::uint64_t bytes = object->occluders.memory_bytes();
     std::memcpy(static_cast<void*>(out), &bytes, sizeof bytes);

@@ -110,7 +110,9 @@ AskOptions ask_options_of(const penumbra_ask_options* options) {
   AskOptions read;
   read.shadow_samples = given.shadow_samples;
   read.method = method_of(given.method);
-  read.light_index = given.light_index;
+  if (given.keys_are_final > 1) refuse_argument("options.keys_are_final is neither 0 nor 1");
+  read.light_index.reset();
+  if (!given.keys_are_final) read.light_index = given.light_index;
   read.threads = given.threads;
   if (given.progress)
     read.progress = [call = given.progress, user = given.progress_user](double share) {

@@ -28,7 +28,7 @@ static penumbra_error add_plate(penumbra_occluders scene, penumbra_geometry* pla
 
 /* Points on the floor from below the plate to far from it. */
 static penumbra_error ask(penumbra_occluders scene, float fractions[3], uint8_t classes[3]) {
-  static const float floor_points[3][3] = {{0, 0, 0}, {1, 0, 0}, {9, 0, 0}};
+  static const float floor_points[3][3] = {{0, 0, 0}, {1.1f, 0, 0}, {9, 0, 0}};
   static const float up[3] = {0, 1, 0};
   penumbra_points points = {0};
   penumbra_light light = {0};

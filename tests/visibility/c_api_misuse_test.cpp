@@ -67,6 +67,9 @@ TEST_F(CApiMisuse, QuestionsBeforeTheFirstCommitAreRefused) {
   const Vec3f p;
   expect_error(penumbra_blockers(shapes, &p.x, nullptr, &light, nullptr, nullptr, 0, nullptr),
                PENUMBRA_ERROR_INVALID_OPERATION, "penumbra_blockers: ");
+  std::uint64_t bytes = 0;
+  expect_error(penumbra_memory_bytes(shapes, &bytes), PENUMBRA_ERROR_INVALID_OPERATION,
+               "call penumbra_commit first");
 }
 
 TEST_F(CApiMisuse, ReleasedOccludersAreNoMore) {
@@ -89,7 +92,7 @@ TEST_F(CApiMisuse, HandlesThatWereNeverGivenAreRefused) {
     expect_bad_handle(penumbra_commit({garbage}, nullptr, nullptr), "never gave");
   expect_bad_handle(penumbra_commit({penumbra_occluders(scene).id + 1000}, nullptr, nullptr),
                     "never created");
-  expect_bad_handle(penumbra_update_geometry(scene, {balls.id + 1}), "never gave");
+  expect_bad_handle(penumbra_remove_geometry(scene, {balls.id + 1}), "never gave");
 }
 
 TEST_F(CApiMisuse, HandlesOfAnotherKindAreRefused) {
@@ -104,8 +107,8 @@ TEST_F(CApiMisuse, HandlesOfAnotherKindAreRefused) {
 TEST_F(CApiMisuse, HandlesOfOtherOccludersAreRefused) {
   ASSERT_EQ(penumbra_add_spheres(shapes, c_rows(arrays.centers), c_rows(arrays.radii), &other),
             PENUMBRA_OK);
-  expect_bad_handle(penumbra_update_geometry(scene, other), "of other occluders");
-  expect_bad_handle(penumbra_update_group(scene, group, balls), "of other occluders");
+  expect_bad_handle(penumbra_remove_geometry(scene, other), "of other occluders");
+  expect_bad_handle(penumbra_move_group(scene, group, balls, {}), "of other occluders");
 }
 
 TEST_F(CApiMisuse, WhatWasRemovedIsNoMore) {
@@ -270,7 +273,6 @@ TEST_F(CApiMisuse, ACommitThatFailsKeepsWhatWasCommittedBefore) {
   ASSERT_EQ(ask(scene), PENUMBRA_OK);
   const std::vector<float> before = seen;
   arrays.centers[1].y = nan;
-  ASSERT_EQ(penumbra_update_geometry(scene, balls), PENUMBRA_OK);
   expect_invalid(penumbra_commit(scene, nullptr, nullptr), "penumbra_commit: ");
   ASSERT_EQ(ask(scene), PENUMBRA_OK);
   EXPECT_EQ(seen, before);
@@ -278,7 +280,7 @@ TEST_F(CApiMisuse, ACommitThatFailsKeepsWhatWasCommittedBefore) {
   arrays.centers[1].y = 1.5f;
   arrays.triangles[5][1] = 64;
   penumbra_geometry mesh{};
-  ASSERT_EQ(penumbra_add_triangles(scene, arrays.c_positions(), c_rows(arrays.triangles), &mesh),
+  ASSERT_EQ(penumbra_add_triangles(scene, c_positions(arrays), c_rows(arrays.triangles), &mesh),
             PENUMBRA_OK);
   expect_invalid(penumbra_commit(scene, nullptr, nullptr), "penumbra_commit: ");
   ASSERT_EQ(penumbra_remove_geometry(scene, mesh), PENUMBRA_OK);
@@ -336,7 +338,7 @@ TEST_F(CApiMisuse, ErrorFunctionsMayCallAndThrow) {
   penumbra_occluders own{};
   ASSERT_EQ(penumbra_create(&own), PENUMBRA_OK);
   ASSERT_EQ(penumbra_set_error_function(own, call_and_throw, &own.id), PENUMBRA_OK);
-  expect_invalid(penumbra_memory_bytes(own, nullptr), "out is NULL");
+  expect_error(penumbra_memory_bytes(own, nullptr), PENUMBRA_ERROR_INVALID_OPERATION, "commit");
   expect_bad_handle(penumbra_release(own), "released");
 }
 

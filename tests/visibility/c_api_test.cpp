@@ -48,8 +48,7 @@ bool same_bits(const std::vector<Row>& a, const std::vector<Row>& b) {
 class CApi : public testing::Test {
  protected:
   void SetUp() override {
-    const VectorRows positions(arrays.vertices.data(), arrays.vertices.size(), sizeof(Vertex));
-    cpp.add_triangles(positions, rows_of(arrays.triangles));
+    cpp.add_triangles(arrays.positions(), rows_of(arrays.triangles));
     cpp.add_spheres(rows_of(arrays.centers), rows_of(arrays.radii));
     cpp.add_cones(rows_of(arrays.bases), rows_of(arrays.apexes), rows_of(arrays.base_radii),
                   rows_of(arrays.apex_radii), Caps::capped);
@@ -58,12 +57,12 @@ class CApi : public testing::Test {
     cpp_shapes.add_spheres(rows_of(arrays.centers), rows_of(arrays.radii));
     cpp.add_instance(cpp.add_group(cpp_shapes), transform);
 
-    expect_ok(penumbra_add_triangles(c, arrays.c_positions(), c_rows(arrays.triangles), &mesh));
+    expect_ok(penumbra_add_triangles(c, c_positions(arrays), c_rows(arrays.triangles), &mesh));
     expect_ok(penumbra_add_spheres(c, c_rows(arrays.centers), c_rows(arrays.radii), &balls));
     expect_ok(penumbra_add_cones(c, c_rows(arrays.bases), c_rows(arrays.apexes),
                                  c_rows(arrays.base_radii), c_rows(arrays.apex_radii), 1, &cone));
     expect_ok(penumbra_add_disks(c, c_rows(arrays.disk_centers), c_rows(arrays.disk_normals),
-                                 c_rows(arrays.disk_radii), &disk));
+                                 c_rows(arrays.disk_radii), {}, &disk));
     expect_ok(
         penumbra_add_spheres(c_shapes, c_rows(arrays.centers), c_rows(arrays.radii), &group_balls));
     expect_ok(penumbra_add_group(c, c_shapes, &group));
@@ -163,6 +162,23 @@ TEST_F(CApi, SeesTheSameSamplesByTheSameOptions) {
   EXPECT_GT(counters.rays, 0u);
 }
 
+TEST_F(CApi, TakesKeysThatAreFinal) {
+  const penumbra_light light = c_ball();
+  penumbra_points points = c_points(arrays);
+  std::vector<std::uint64_t> keys;
+  for (std::size_t i = 0; i < arrays.points.size(); ++i) keys.push_back(penumbra_light_key(i, 3));
+  penumbra_ask_options options = c_options();
+  options.light_index = 3;
+  std::vector<float> by_index(keys.size()), by_key(keys.size());
+  expect_ok(penumbra_visible_fraction(c, &points, &light, by_index.data(), by_index.size(),
+                                      &options, nullptr));
+  points.keys = c_rows(keys);
+  options.keys_are_final = 1;
+  expect_ok(penumbra_visible_fraction(c, &points, &light, by_key.data(), by_key.size(), &options,
+                                      nullptr));
+  EXPECT_EQ(by_key, by_index);
+}
+
 TEST_F(CApi, TellsTheWholeVisibility) {
   const penumbra_points points = c_points(arrays);
   const penumbra_light light = c_ball();
@@ -234,7 +250,6 @@ TEST_F(CApi, TellsTheSameFacts) {
   options.may_refit = 0;
   penumbra_commit_report report{};
   report.struct_size = sizeof report;
-  expect_ok(penumbra_update_geometry(c, mesh));
   expect_ok(penumbra_commit(c, &options, &report));
   EXPECT_EQ(report.primitives, arrays.triangles.size() + 3 + 1 + 1 + 3);
   EXPECT_EQ(report.degenerate_triangles, 0u);
@@ -258,8 +273,6 @@ TEST_F(CApi, MovesAndRemovesWhatWasAdded) {
 
   before = c_fractions(c_ball());
   for (Vertex& vertex : arrays.vertices) vertex.position.z += 0.5f;
-  expect_ok(penumbra_update_geometry(c, mesh));
-  cpp.update(GeometryId{0});
   expect_changed(before);
 
   before = c_fractions(c_ball());
@@ -274,10 +287,11 @@ TEST_F(CApi, MovesAndRemovesWhatWasAdded) {
 
   before = c_fractions(c_ball());
   arrays.radii = {0.25f, 0.5f, 0.5f};
-  expect_ok(penumbra_update_geometry(c, balls));
-  cpp.update(GeometryId{1});
-  expect_ok(penumbra_update_group(c, group, group_balls));
-  cpp.update(GroupId{0}, GeometryId{0});
+  expect_changed(before);
+
+  before = c_fractions(c_ball());
+  expect_ok(penumbra_move_group(c, group, group_balls, c_rows(elsewhere)));
+  cpp.update(GroupId{0}, GeometryId{0}, rows_of(elsewhere));
   expect_changed(before);
 
   before = c_fractions(c_ball());
@@ -357,7 +371,7 @@ TEST_F(CApi, AnswersManyThreadsAtOnceAlsoWhileReleased) {
   penumbra_occluders scene{};
   expect_ok(penumbra_create(&scene));
   penumbra_geometry added{};
-  expect_ok(penumbra_add_triangles(scene, arrays.c_positions(), c_rows(arrays.triangles), &added));
+  expect_ok(penumbra_add_triangles(scene, c_positions(arrays), c_rows(arrays.triangles), &added));
   expect_ok(penumbra_commit(scene, nullptr, nullptr));
   std::vector<std::thread> threads;
   for (int t = 0; t < 4; ++t)
