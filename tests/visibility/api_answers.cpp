@@ -57,6 +57,20 @@ class Question {
     return true;
   }
 
+  bool fits(std::uint32_t shadow_class, float fraction) const {
+    return !(shadow_class == PENUMBRA_CLASS_UMBRA && fraction != 0) &&
+           !(shadow_class == PENUMBRA_CLASS_LIT && floats() && fraction != 1);
+  }
+
+  /// Says what differs at a point, and so that it does.
+  bool complain(std::size_t i, const char* who, std::uint32_t shadow_class, float fraction) const {
+    const Vec3f p = positions_[i];
+    std::fprintf(stderr, "%s: class %u, fraction %.9g, of (%.9g, %.9g, %.9g), light kind %u\n", who,
+                 shadow_class, double(fraction), double(p.x), double(p.y), double(p.z),
+                 light_.kind);
+    return false;
+  }
+
   /// What is proven of points is so of their samples.
   bool proves_nothing_else_than(const Answers& answers) {
     std::vector<std::uint8_t> classes(answers.size());
@@ -71,11 +85,10 @@ class Question {
                             0, &count) != PENUMBRA_OK)
         return false;
       const float fraction = answers[i].fraction;
-      for (const std::uint32_t proven : {std::uint32_t{classes[i]}, shadow_class}) {
-        if (proven == PENUMBRA_CLASS_UMBRA && fraction != 0) return false;
-        if (proven == PENUMBRA_CLASS_LIT && floats() && fraction != 1) return false;
-      }
-      if (count == 0 && floats() && fraction != 1) return false;
+      if (!fits(classes[i], fraction)) return complain(i, "classify", classes[i], fraction);
+      if (!fits(shadow_class, fraction)) return complain(i, "blockers", shadow_class, fraction);
+      if (count == 0 && floats() && fraction != 1)
+        return complain(i, "no blockers", shadow_class, fraction);
     }
     return true;
   }
