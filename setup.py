@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: MIT
+"""The Python package by setuptools: its module is built by CMake, its version is CMake's."""
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+
+ROOT = pathlib.Path(__file__).resolve().parent
+
+
+def version():
+    return re.search(r"project\(\w+\s+VERSION\s+([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
+
+
+class BuildByCMake(build_ext):
+    """Configures a tree of its own, builds the module and no more, and takes it from there."""
+
+    def build_extension(self, extension):
+        build = pathlib.Path(self.build_temp).resolve()
+        generator = ["-G", "Ninja"] if shutil.which("ninja") else []
+        launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
+        subprocess.run(["cmake", "-S", ROOT, "-B", build, *generator, *launcher,
+                        "-DCMAKE_BUILD_TYPE=Release", "-DBUILD_TESTING=OFF",
+                        f"-DPython3_EXECUTABLE={sys.executable}"], check=True)
+        jobs = ["--parallel", str(self.parallel)] if self.parallel else ["--parallel"]
+        subprocess.run(["cmake", "--build", build, "--target", "penumbra_python", *jobs],
+                       check=True)
+        module, = (build / "python" / "penumbra").glob("_penumbra.*.so")
+        target = pathlib.Path(self.get_ext_fullpath(extension.name))
+        target.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(module, target)
+
+
+setup(version=version(), ext_modules=[Extension("penumbra._penumbra", sources=[])],
+      cmdclass={"build_ext": BuildByCMake})
