@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The Python package by setuptools: its module is built by CMake, its version is CMake's."""
+import os
 import pathlib
 import re
 import shutil
@@ -20,19 +21,18 @@ class BuildByCMake(build_ext):
     """Configures a tree of its own, builds the module and no more, and takes it from there."""
 
     def build_extension(self, extension):
-        build = pathlib.Path(self.build_temp).resolve()
+        build = ROOT / "build-python"
         generator = ["-G", "Ninja"] if shutil.which("ninja") else []
         launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
         subprocess.run(["cmake", "-S", ROOT, "-B", build, *generator, *launcher,
                         "-DCMAKE_BUILD_TYPE=Release", "-DBUILD_TESTING=OFF",
                         f"-DPython3_EXECUTABLE={sys.executable}"], check=True)
-        jobs = ["--parallel", str(self.parallel)] if self.parallel else ["--parallel"]
-        subprocess.run(["cmake", "--build", build, "--target", "penumbra_python", *jobs],
+        jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count()))
+        subprocess.run(["cmake", "--build", build, "--target", "penumbra_python", "--parallel", jobs],
                        check=True)
-        module, = (build / "python" / "penumbra").glob("_penumbra.*.so")
         target = pathlib.Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(module, target)
+        shutil.copyfile(build / "python" / "penumbra" / target.name, target)
 
 
 setup(version=version(), ext_modules=[Extension("penumbra._penumbra", sources=[])],

@@ -4,12 +4,14 @@
 //
 //   ten_million make FOLDER COUNT     writes mesh and points, as raw little-endian numbers
 //   ten_million ask FOLDER ORDER      ORDER coherent or shuffled: prints seconds, writes fractions
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 

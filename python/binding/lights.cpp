@@ -186,12 +186,11 @@ Light light_of(py::handle object) {
 LightShape light_shape_of(py::handle object) {
   if (py::isinstance<py::str>(object) || py::isinstance<Light>(object))
     return light_of(object).shape;
-  try {
-    return py::cast<LightShape>(object);
-  } catch (const py::cast_error&) {
+  py::detail::make_caster<LightShape> caster;
+  if (object.is_none() || !caster.load(object, false))
     throw py::type_error("a light is wanted, such as penumbra.Ball((0, 9, 0), 1), not " +
                          std::string(py::repr(py::type::handle_of(object))));
-  }
+  return py::detail::cast_op<LightShape>(caster);
 }
 
 std::vector<Light> lights_of(py::handle sequence) {

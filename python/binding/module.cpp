@@ -23,7 +23,7 @@ void raise(const Error& error) {
   const auto optional = [](const auto& value) {
     return value ? py::object(py::int_(*value)) : py::object(py::none());
   };
-  raised.attr("file") = error.place.file.empty() ? py::none() : text_of(error.place.file);
+  raised.attr("file") = error.place.file.empty() ? py::none() : path_of(error.place.file);
   raised.attr("line") = optional(error.place.line);
   raised.attr("byte") = optional(error.place.byte);
   raised.attr("problem") = text_of(error.problem);

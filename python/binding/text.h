@@ -16,4 +16,12 @@ inline pybind11::object text_of(std::string_view bytes) {
   return pybind11::reinterpret_steal<pybind11::object>(text);
 }
 
+/// As Python names files: what it opens again.
+inline pybind11::object path_of(std::string_view bytes) {
+  PyObject* path =
+      PyUnicode_DecodeFSDefaultAndSize(bytes.data(), static_cast<Py_ssize_t>(bytes.size()));
+  if (!path) throw pybind11::error_already_set();
+  return pybind11::reinterpret_steal<pybind11::object>(path);
+}
+
 }  // namespace penumbra::python

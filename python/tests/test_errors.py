@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Misuse gets a defined error, and leaves the object as it was."""
+import os
 import pathlib
 import tempfile
 import unittest
@@ -22,16 +23,21 @@ class Errors(unittest.TestCase):
         error = caught.exception
         self.assertIsInstance(error, ValueError)
         self.assertEqual((error.file, error.line, error.byte), (str(path), 2, None))
-        self.assertEqual(str(error), f"{path}:2: {error.problem}; {error.hint}")
+        self.assertEqual(str(error), f"{path}:2: {error.problem}")
+        with self.assertRaises(penumbra.Error) as caught:
+            penumbra.Ball((0, 0, 0), -1)
+        self.assertEqual(str(caught.exception),
+                         f"{caught.exception.problem}; {caught.exception.hint}")
+        self.assertIsNone(caught.exception.file)
 
-    def test_texts_of_files_need_not_be_utf_8(self):
+    def test_names_of_files_need_not_be_utf_8(self):
         with tempfile.TemporaryDirectory() as folder:
-            path = pathlib.Path(folder) / "bad.nff"
-            path.write_bytes(b"s 0 0 0 1\n\xff\xfe 1\n")
-            try:
-                self.assertIsInstance(penumbra.read(path).warnings, list)
-            except penumbra.Error as error:
-                self.assertIn("\ufffd", error.problem)
+            path = os.path.join(folder, os.fsdecode(b"bad\xff.nff"))
+            pathlib.Path(path).write_text("s 1 2\n")
+            with self.assertRaises(penumbra.Error) as caught:
+                penumbra.read(path)
+        self.assertEqual(caught.exception.file, path)
+        self.assertIn("bad\ufffd.nff:", str(caught.exception))
 
     def test_no_scene_is_an_error_that_names_those_there_are(self):
         with self.assertRaisesRegex(penumbra.Error, "no such file.*cylinders"):

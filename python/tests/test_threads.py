@@ -29,7 +29,7 @@ def long_picture(**options):
 
 def long_question(**options):
     """Takes minutes too."""
-    points = np.tile(floor_points(1000)[0], (4000, 1))
+    points = np.tile(floor_points(1000)[0], (400, 1))
     return shaded().visible_fraction(points, LIGHT, method="stochastic", shadow_samples=4096,
                                      **options)
 
@@ -50,7 +50,7 @@ class ProgressOfLongCalls(unittest.TestCase):
         def refuse(share):
             raise LookupError(f"at {share}")
         for call in (long_picture, long_question):
-            with self.assertRaisesRegex(LookupError, "at 0"):
+            with self.assertRaisesRegex(LookupError, r"at \d"):
                 call(progress=refuse)
 
     def test_what_cannot_be_called_is_a_type_error(self):
@@ -61,7 +61,7 @@ class ProgressOfLongCalls(unittest.TestCase):
 class Interrupts(unittest.TestCase):
     def test_control_c_ends_long_calls_soon(self):
         for call in (long_picture, long_question):
-            sender = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
+            sender = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
             sender.start()
             start = time.monotonic()
             with self.assertRaises(KeyboardInterrupt):
