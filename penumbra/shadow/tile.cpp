@@ -203,16 +203,15 @@ class Tile {
     if (!is_above && !take(scratch_.query[row])) return {0, 0, ShadowClass::umbra};
     counters_.count(shadow_class);
     if (shadow_class == ShadowClass::umbra) return {0, 0, shadow_class};
-    return is_above ? Visibility{1, 1, shadow_class} : summed(shadow_class, 0);
+    return is_above || wants_class() ? Visibility{1, 1, shadow_class} : summed(shadow_class, 0);
   }
 
   void answer_one(std::size_t row, const CandidateList* list) {
     const SeenLight seen = seen_by_one(form_, scratch_.rows, row);
     const bool is_gathered = !list && gather(group(row, 1), seen, most_of_one);
     if (is_gathered) list = &gathered();
-    const bool may_have_sheet =
-        !scene_.sheet->is_empty() && (samples_.pattern.size() >= samples_worth_a_sheet ||
-                                      answers_.wanted == Wanted::shadow_class);
+    const bool may_have_sheet = !scene_.sheet->is_empty() &&
+                                (samples_.pattern.size() >= samples_worth_a_sheet || wants_class());
     if (!list) {
       const bool is_umbra = may_have_sheet && tries_sheet(seen, 1);
       return put(row, is_umbra ? proven(row, ShadowClass::umbra)
@@ -228,8 +227,12 @@ class Tile {
       put(row, by_records(row));
   }
 
-  /// Takes the samples of query i; returns whether any is above the horizon.
+  bool wants_class() const { return answers_.wanted == Wanted::shadow_class; }
+
+  /// Takes the samples of query i; returns whether any is above the horizon. Where the class is all
+  /// that is wanted, none are taken: it holds for all of the light, and some of it may be above.
   bool take(std::size_t i) {
+    if (wants_class()) return true;
     const ShadowQuery& query = queries_[i];
     return take_samples(scene_, light_, query.receiver, query.key, samples_) > 0;
   }
@@ -263,12 +266,12 @@ class Tile {
   Visibility by_records(std::size_t row) {
     const ShadowClass proof = look_closely(row);
     if (proof != ShadowClass::penumbra) return proven(row, proof);
-    if (answers_.wanted == Wanted::shadow_class && !scene_.sheet->is_empty() &&
+    if (wants_class() && !scene_.sheet->is_empty() &&
         is_behind_sheet(seen_by_one(form_, scratch_.rows, row), 1))
       return proven(row, ShadowClass::umbra);
     if (!take(scratch_.query[row])) return {0, 0, ShadowClass::umbra};
     counters_.count(ShadowClass::penumbra);
-    if (answers_.wanted == Wanted::shadow_class) return unproven;
+    if (wants_class()) return unproven;
     std::vector<std::uint32_t>& records = scratch_.sifted.record;
     const auto last = std::find(records.begin(), records.end(), queue_.record[0]);
     if (last != records.end()) std::iter_swap(last, records.begin());
@@ -297,7 +300,7 @@ class Tile {
   Visibility by_packets(std::size_t i, ShadowClass unseen) {
     if (!take(i)) return {0, 0, unseen};
     counters_.count(ShadowClass::penumbra);
-    if (answers_.wanted == Wanted::shadow_class) return unproven;
+    if (wants_class()) return unproven;
     return summed(ShadowClass::penumbra,
                   trace_samples(*scene_.kernel, queue_, samples_, counters_));
   }

@@ -42,14 +42,6 @@ Sight sight_of(const Question& question) {
   return sight;
 }
 
-/// The whole light is below the horizon of the one receiver.
-bool is_below(const Question& question) {
-  ReceiverRows rows;
-  const ReceiverBits bits =
-      see_light(question.scene.forms[0], question.queries, question.scene.receivers, rows);
-  return (bits.certain & bits.below & 1) != 0;
-}
-
 /// Records that may block, gathered leaf by leaf and sifted whenever a list is full.
 class Gatherer {
  public:
@@ -145,9 +137,6 @@ Blockers blockers_of_point(const Committed& occluders, const Receiver& receiver,
   visibilities(question.scene, 0, question.queries, queue, scratch->visibility, counters,
                AnswerRows{.seen = {&seen, 1}, .wanted = Wanted::shadow_class});
   occluders.scratch_pool.give_back(std::move(scratch));
-  // Not counted: none of these samples is above the horizon. Others may be.
-  const bool is_of_samples = counters.lit + counters.penumbra + counters.umbra == 0;
-  if (is_of_samples && !is_below(question)) seen.shadow_class = ShadowClass::penumbra;
   return answer(occluders, question, seen.shadow_class);
 }
 
