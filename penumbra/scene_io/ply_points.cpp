@@ -57,7 +57,7 @@ std::string_view PlyRows::take(std::size_t count) {
     throw Error({input_->name(), {}, input_->at()}, "the file ends within its values",
                 "it may be cut off");
   input_->skip(count);
-  return bytes;
+  return bytes.substr(0, count);
 }
 
 std::string_view PlyRows::next_word() {
