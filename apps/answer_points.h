@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -31,13 +32,15 @@ struct PointAnswers {
 
 class PointAnswerer {
  public:
-  /// The scene must live as long. Throws Error.
+  /// Cost: O(n log n) over all cores. Throws Error.
   PointAnswerer(const Scene& scene, const AnswerOptions& options);
   ~PointAnswerer();
 
-  /// `first` is the block's first point's number in the stream: answers depend on it, not on where
-  /// blocks begin and end.
-  ShadowCounters answer(const PointBlock& points, std::uint64_t first, PointAnswers& answers);
+  /// `first` is the number in the stream of the block's first point: answers depend on it, not on
+  /// where blocks begin and end. `progress` is called with the finished share in [0, 1], from any
+  /// thread, one call at a time.
+  ShadowCounters answer(const PointBlock& points, std::uint64_t first, PointAnswers& answers,
+                        const std::function<void(double)>& progress);
 
   /// Of what is prepared of the scene.
   std::size_t memory_bytes() const;

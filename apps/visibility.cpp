@@ -37,7 +37,8 @@ struct Options {
   std::optional<PointFormat> input_format;
   std::optional<AnswerFormat> output_format;
   bool has_classes = false, has_fractions = false;
-  std::size_t block = 65536;  ///< points that are read, answered and written together
+  std::size_t block = std::size_t{1}
+                      << 18;  ///< points that are read, answered and written together
   bool always_progress = false;
 };
 
@@ -125,7 +126,7 @@ void add_run_options(CLI::App& app, Options& o) {
     o.answer.threads = static_cast<std::uint32_t>(parse_count(text, 0, 1024));
   })->group("Run");
   add_parsed(app, "--block", "N",
-             "Points that are answered together (default 65536); 1: each as it comes",
+             "Points that are answered together (default 262144); 1: each as it comes",
              [&o](Text text) { o.block = parse_count(text, 1, std::uint64_t{1} << 24); })
       ->group("Run");
   app.add_option("--stats", o.stats, "Write counters, times and memory as JSON")
@@ -215,18 +216,20 @@ void answer_all(const Options& o, PointReader& points, PointAnswerer& answerer,
                     o.always_progress ? ProgressWish::always : ProgressWish::on_terminal);
   PointBlock block;
   PointAnswers answers;
-  while (timed(account.read, [&] { return points.next(block, o.block); })) {
-    account.counters.add(
-        timed(account.answer, [&] { return answerer.answer(block, account.points, answers); }));
-    timed(account.write, [&] {
-      writer.write(block, {answers.classes, answers.fractions});
-      return 0;
-    });
+  for (double before = 0;;) {
+    if (!timed(account.read, [&] { return points.next(block, o.block); })) return;
+    const std::optional<double> after = points.share();
+    const auto report = [&](double share) {
+      if (after) progress.update(before + share * (*after - before));
+    };
+    account.counters.add(timed(
+        account.answer, [&] { return answerer.answer(block, account.points, answers, report); }));
+    const double start = now_seconds();
+    writer.write(block, {answers.classes, answers.fractions});
+    account.write += now_seconds() - start;
     account.points += block.positions.size();
-    if (const std::optional<double> share = points.share())
-      progress.update(*share);
-    else
-      progress.update(fmt::format("{} points", account.points));
+    if (!after) progress.update(fmt::format("{} points", account.points));
+    before = after.value_or(0);
   }
 }
 

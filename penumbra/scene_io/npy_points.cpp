@@ -35,6 +35,19 @@ NpyRows::NpyRows(ByteInput& input) : input_(&input) {
                 "the file may be cut off");
 }
 
+void NpyRows::convert(const char* bytes, std::array<float, point_numbers>& numbers) const {
+  for (std::size_t i = 0; i < columns_; ++i) {
+    std::array<char, 8> value{};
+    std::memcpy(value.data(), bytes + i * value_bytes_, value_bytes_);
+    if (is_swapped_)
+      std::reverse(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(value_bytes_));
+    if (value_bytes_ == sizeof(float))
+      numbers[i] = std::bit_cast<std::array<float, 2>>(value)[0];
+    else
+      numbers[i] = static_cast<float>(std::bit_cast<double>(value));
+  }
+}
+
 std::optional<PointRow> NpyRows::next() {
   if (left_ == 0) return {};
   --left_;
@@ -45,15 +58,10 @@ std::optional<PointRow> NpyRows::next() {
                 "the file ends, but " + std::to_string(left_ + 1) + " more points should follow",
                 "it may be cut off");
   std::array<float, point_numbers> numbers{};
-  for (std::size_t i = 0; i < columns_; ++i) {
-    std::array<char, 8> value{};
-    std::memcpy(value.data(), bytes.data() + i * value_bytes_, value_bytes_);
-    if (is_swapped_) std::reverse(value.begin(), value.begin() + value_bytes_);
-    if (value_bytes_ == sizeof(float))
-      numbers[i] = std::bit_cast<std::array<float, 2>>(value)[0];
-    else
-      numbers[i] = static_cast<float>(std::bit_cast<double>(value));
-  }
+  if (is_swapped_ || value_bytes_ != sizeof(float))
+    convert(bytes.data(), numbers);
+  else
+    std::memcpy(numbers.data(), bytes.data(), size);
   input_->skip(size);
   return row_of(numbers);
 }

@@ -72,6 +72,8 @@ class NpyRows {
   std::optional<PointRow> next();
 
  private:
+  void convert(const char* bytes, std::array<float, point_numbers>& numbers) const;
+
   ByteInput* input_;
   std::size_t columns_ = 3, value_bytes_ = 4;
   bool is_swapped_ = false;  ///< bytes of values are not in the machine's order

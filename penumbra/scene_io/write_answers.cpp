@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
 #include <bit>
+#include <charconv>
 #include <cstring>
-#include <iterator>
 #include <utility>
 
 #include "penumbra/scene/error.h"
@@ -27,7 +27,9 @@ void append(std::string& out, const Value* values, std::size_t count) {
 
 /// The shortest text that reads back to the same float.
 void append_text(std::string& out, float value) {
-  fmt::format_to(std::back_inserter(out), "{}", value);
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  out.append(text.data(), end);
 }
 
 void append_text(std::string& out, Vec3f v, char separator) {

@@ -13,7 +13,7 @@
 namespace penumbra {
 namespace {
 
-const PointBlock two_points{{{1, 2, 3}, {0.1f, -1e20f, 0}}, {{0, 0, 1}, {0, 1, 0}}};
+const PointBlock two_points{{{1, 2, 3}, {0.1f, -1e10f, 0}}, {{0, 0, 1}, {0, 1, 0}}};
 const std::vector<std::uint8_t> classes{0, 1, 2, 1};  // of two lights
 const std::vector<float> fractions{1, 0.25f, 0, 0.5f};
 
@@ -48,14 +48,14 @@ std::vector<Value> twice(std::vector<Value> values) {
 
 TEST(WriteAnswers, csv_names_its_columns_and_repeats_the_points) {
   const std::string rows =
-      "1,2,3,0,0,1,lit,1,penumbra,0.25\n0.1,-1e+20,0,0,1,0,umbra,0,penumbra,0.5\n";
+      "1,2,3,0,0,1,lit,1,penumbra,0.25\n0.1,-1e+10,0,0,1,0,umbra,0,penumbra,0.5\n";
   EXPECT_EQ(written(layout(AnswerFormat::csv, true, true)),
             "x,y,z,nx,ny,nz,class_light0,visibility_light0,class_light1,visibility_light1\n" +
                 rows + rows);
   AnswerLayout bare = layout(AnswerFormat::csv, false, true);
   bare.has_normals = false;
   EXPECT_TRUE(written(bare).starts_with(
-      "x,y,z,visibility_light0,visibility_light1\n1,2,3,1,0.25\n0.1,-1e+20,0,0,0.5\n"));
+      "x,y,z,visibility_light0,visibility_light1\n1,2,3,1,0.25\n0.1,-1e+10,0,0,0.5\n"));
 }
 
 TEST(WriteAnswers, ascii_holds_values_alone) {
