@@ -212,7 +212,8 @@ auto timed(double& seconds, Work work) {
 
 void answer_all(const Options& o, PointReader& points, PointAnswerer& answerer,
                 AnswerWriter& writer, Account& account) {
-  Progress progress("visibility of " + std::filesystem::path(o.points).filename().string(),
+  const std::string name = std::filesystem::path(o.points).filename().string();
+  Progress progress("visibility of " + (name == "-" ? "standard input" : name),
                     o.always_progress ? ProgressWish::always : ProgressWish::on_terminal);
   PointBlock block;
   PointAnswers answers;

@@ -87,7 +87,7 @@ class Literal {
                   "numpy.lib.recfunctions.structured_to_unstructured(points[['x', 'y', 'z']])");
     const std::string_view type = string();
     header.type = type.substr(0, 40);
-    if (type.size() < 3) fail();
+    if (type.size() < 2) fail();
     header.is_big_endian = type[0] == '>';
     header.kind = type[1];
     const std::optional<std::int64_t> bytes = parse_integer(type.substr(2));
