@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <utility>
 
 #include "penumbra/scene_io/numbers.h"
 #include "penumbra/scene_io/point_rows.h"
@@ -157,7 +158,7 @@ void CsvRows::read_first_line() {
     if (column_number_.empty()) {
       choose_separator(true);
       split();
-      if (!parse_float(fields_.front()) && take_names()) continue;
+      if (!fields_.empty() && !parse_float(fields_.front()) && take_names()) continue;
       choose_separator(false);
     }
     split();

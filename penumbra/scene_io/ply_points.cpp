@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "penumbra/scene_io/numbers.h"
 #include "penumbra/scene_io/point_rows.h"

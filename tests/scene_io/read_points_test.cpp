@@ -109,6 +109,7 @@ TEST(ReadPoints, wrong_lines_are_errors_with_their_number) {
     EXPECT_TRUE(error.starts_with("t:" + place + ": ")) << error;
     EXPECT_TRUE(holds(error, what)) << error;
   };
+  check("\\\n1 2 3\n", "1", "0 columns without names");
   check("1 2\n", "1", "2 columns without names");
   check("#\n1 2 3 4\n", "2", "4 columns without names");
   check("1 2 3\n\n4 5\n", "3", "has 2 columns, but line 1 has 3");
