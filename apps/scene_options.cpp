@@ -6,6 +6,7 @@
 #include <CLI/App.hpp>
 
 #include <cstdio>
+#include <functional>
 #include <limits>
 
 #include "options.h"
@@ -24,27 +25,41 @@ const char* const lights_help =
     "All but suns may end in `beam ax ay az full none`: along an axis, full light up to the first\n"
     "angle from it (in degrees), none from the second on.\n\n";
 
+namespace {
+
+CLI::Option* add_to_scene(CLI::App& command, const char* name, const char* value, const char* help,
+                          const std::function<void(const std::string&)>& parse) {
+  return add_parsed(command, name, value, help, parse)->group("Scene");
+}
+
+}  // namespace
+
 void add_scene_options(CLI::App& command, SceneWishes& w) {
   using Text = const std::string&;
   const auto add = [&command](const char* name, const char* value, const char* help, auto parse) {
-    add_parsed(command, name, value, help, parse)->group("Scene");
+    add_to_scene(command, name, value, help, parse);
   };
   add("--from", "x,y,z", "Camera position",
       [&w](Text text) { w.complete.from = parse_vector(text); });
   add("--at", "x,y,z", "What it looks at", [&w](Text text) { w.complete.at = parse_vector(text); });
-  add("--up", "x,y,z", "Its upward direction",
-      [&w](Text text) { w.complete.up = parse_vector(text); });
   add("--fov", "DEG", "Vertical field of view, in perspective",
       [&w](Text text) { w.complete.fov_deg = parse_number(text, 0.001, 179.999); });
   command.add_option("--view", w.view, "A view of Radiance's: a view file, or options like rvu's")
       ->type_name("FILE|OPTIONS")
       ->group("Scene");
-  add("--ground", "auto|none|HEIGHT", "A floor (default auto: under bare models)",
-      [&w](Text text) { w.complete.ground = parse_ground(text); });
   add("--ambient", "r,g,b", "Light from everywhere, without shadows: 0,0,0 is none",
       [&w](Text text) { w.complete.ambient = parse_color(text); });
   add("--background", "r,g,b", "Colour where nothing is hit",
       [&w](Text text) { w.complete.background = parse_color(text); });
+  add_light_options(command, w);
+}
+
+void add_light_options(CLI::App& command, SceneWishes& w) {
+  using Text = const std::string&;
+  add_to_scene(command, "--up", "x,y,z", "Which way is up",
+               [&w](Text text) { w.complete.up = parse_vector(text); });
+  add_to_scene(command, "--ground", "auto|none|HEIGHT", "A floor (default auto: under bare models)",
+               [&w](Text text) { w.complete.ground = parse_ground(text); });
   command
       .add_option("--light", w.light_words,
                   "Add a light, see below; the first one replaces the file's")
@@ -53,6 +68,13 @@ void add_scene_options(CLI::App& command, SceneWishes& w) {
   command.add_flag("--clear-glass", w.complete.clear_glass, "Transparent things cast no shadow")
       ->group("Shadows");
   add_read_options(command, w.read);
+}
+
+void add_light_radius_option(CLI::App& command, SceneWishes& w) {
+  add_parsed(command, "--light-radius", "R",
+             "Make point and ball lights balls of this radius; N% of the extent",
+             [&w](const std::string& text) { w.complete.light_radius = parse_light_radius(text); })
+      ->group("Shadows");
 }
 
 void add_ray_options(CLI::App& command, RenderOptions& o) {

@@ -26,6 +26,12 @@ struct SceneWishes {
 /// `wishes` must live until the command line is parsed.
 void add_scene_options(CLI::App& command, SceneWishes& wishes);
 
+/// Of these what commands without a camera have: up, ground, lights and what casts shadows.
+void add_light_options(CLI::App& command, SceneWishes& wishes);
+
+/// Adds `--light-radius`, of one radius.
+void add_light_radius_option(CLI::App& command, SceneWishes& wishes);
+
 /// Adds `--spp`, `--depth` and `--seed`.
 void add_ray_options(CLI::App& command, RenderOptions& options);
 
