@@ -59,6 +59,10 @@ void add_texture_options(CLI::App& app, Options& o) {
       number(o.bake.padding, 0, 1024));
   add("--texel-samples", "N", "Points of a texel that is not proven (default 4)",
       number(o.bake.texel_samples, 1, 1024));
+  add("--weight", "W",
+      "none (default): the share of the light's samples that is seen; cosine: of those above the "
+      "surface's horizon, by their cosine, as shaders need it",
+      [&o](Text text) { o.bake.value = parse_bake_value(text); });
   add("--channel", "C", "per-light (default), or mean: of all lights",
       [&o](Text text) { o.output.channel = parse_bake_channel(text); });
   add("--layers", "LIST", "EXR layers beside: any of class,coverage",

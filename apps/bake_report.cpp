@@ -62,6 +62,7 @@ std::string stats_json(const BakeReport& r) {
       {"texel_samples", r.options.texel_samples},
       {"size", {r.options.width, r.options.height}},
       {"padding", r.options.padding},
+      {"weight", r.options.value == BakeValue::fraction ? "none" : "cosine"},
       {"seed", r.options.seed},
       {"threads", r.threads},
       {"lights", r.lights},

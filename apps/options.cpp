@@ -195,6 +195,12 @@ UvChoice parse_uv_set(std::string_view text) {
   return choose<UvChoice>(text, sets);
 }
 
+BakeValue parse_bake_value(std::string_view text) {
+  static constexpr std::array weights = {Choice<BakeValue>{"none", BakeValue::fraction},
+                                         Choice<BakeValue>{"cosine", BakeValue::cosine_weighted}};
+  return choose<BakeValue>(text, weights);
+}
+
 BakeChannel parse_bake_channel(std::string_view text) {
   static constexpr std::array channels = {Choice<BakeChannel>{"per-light", BakeChannel::per_light},
                                           Choice<BakeChannel>{"mean", BakeChannel::mean}};

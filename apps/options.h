@@ -66,6 +66,8 @@ std::vector<Aov> parse_aovs(std::string_view text);
 
 /// `auto`, `1` or `2`.
 UvChoice parse_uv_set(std::string_view text);
+/// `none` or `cosine`.
+BakeValue parse_bake_value(std::string_view text);
 /// `per-light` or `mean`.
 BakeChannel parse_bake_channel(std::string_view text);
 /// `class` and `coverage`, any of them: sets what is named.

@@ -52,6 +52,7 @@ void add_scene_options(CLI::App& command, SceneWishes& w) {
   add("--background", "r,g,b", "Colour where nothing is hit",
       [&w](Text text) { w.complete.background = parse_color(text); });
   add_light_options(command, w);
+  add_read_options(command, w.read);
 }
 
 void add_light_options(CLI::App& command, SceneWishes& w) {
@@ -67,7 +68,6 @@ void add_light_options(CLI::App& command, SceneWishes& w) {
       ->group("Scene");
   command.add_flag("--clear-glass", w.complete.clear_glass, "Transparent things cast no shadow")
       ->group("Shadows");
-  add_read_options(command, w.read);
 }
 
 void add_light_radius_option(CLI::App& command, SceneWishes& w) {

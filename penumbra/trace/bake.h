@@ -15,12 +15,19 @@
 
 namespace penumbra {
 
+/// What a light's visible part is measured by.
+/// fraction: samples that reach the surface, of all; those below the face's horizon do not.
+/// cosine_weighted: of the samples above the horizon, by the cosine of each: what an unshadowed
+/// light has to be multiplied by, without the facets of coarse meshes where the light sets.
+enum class BakeValue { fraction, cosine_weighted };
+
 struct BakeOptions {
   std::uint32_t width = 1024, height = 1024;  ///< product below 2^32
   std::uint32_t shadow_samples = 32;          ///< d, >= 1, of each point and light
   std::uint32_t texel_samples = 4;            ///< points of a texel, >= 1
   std::uint32_t padding = 8;                  ///< texels around charts that get their values
   float background = 0;                       ///< value of all others
+  BakeValue value = BakeValue::fraction;
   std::uint64_t seed = 0;
   std::uint32_t threads = 0;  ///< 0: all
   /// Called with the finished share in [0, 1], from any thread, one call at a time.
@@ -54,7 +61,7 @@ struct Bake {
 /// A texture of what the atlas holds (`make_atlas`, of the same size). The scene must be complete,
 /// and `shadows` prepared for it.
 /// (1) A texel's value is the mean over points spread evenly over the part of its square that
-/// triangles cover, of free shadow samples / d: nothing of what is not covered, and of several
+/// triangles cover, of what `BakeValue` says: nothing of what is not covered, and of several
 /// triangles each by its share of the area. (2) Points lie on the side that the triangle's turn
 /// says is outside, or its vertex normals, where there are. (3) Random numbers hang on seed, texel,
 /// sample and light alone: the same bits for any number of threads, and for every method but

@@ -96,6 +96,7 @@ class LightBaker {
 
   void store(BakePlanes& planes) {
     const std::size_t each = context_.pattern.size();
+    const bool is_weighted = context_.options.value == BakeValue::cosine_weighted;
     auto sample = points_.samples.begin();
     auto answer = seen_.begin();
     for (const std::uint32_t texel : points_.covered) {
@@ -104,7 +105,7 @@ class LightBaker {
       for (std::size_t s = 0; s < each; ++s, ++sample) {
         ShadowClass shadow_class = known_[sample->piece];
         if (shadow_class == ShadowClass::penumbra) {
-          sum += double(answer->fraction);
+          sum += double(is_weighted ? answer->cosine_weighted : answer->fraction);
           shadow_class = (answer++)->shadow_class;
         } else {
           sum += shadow_class == ShadowClass::lit ? 1 : 0;

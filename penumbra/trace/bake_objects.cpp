@@ -34,9 +34,9 @@ UvSet choose_set(const ShapeSet& shapes, UvChoice choice) {
     throw Error(place, "it has no triangle mesh, and nothing else has texture coordinates (UVs)",
                 "bake a mesh: OBJ, PLY, glTF");
   throw Error(place,
-              fmt::format("none of its {} meshes has {}texture coordinates (UVs), which say where "
-                          "in the texture a triangle lies",
-                          found.without_uvs, found.set == UvSet::second ? "a second set of " : ""),
+              fmt::format("no mesh has {}texture coordinates (UVs), which say where in the texture "
+                          "a triangle lies",
+                          found.set == UvSet::second ? "a second set of " : ""),
               "make them, without overlaps: Blender (UV > Lightmap Pack, or Smart UV Project), "
               "xatlas; and save as glTF or OBJ");
 }

@@ -57,11 +57,15 @@ TEST_P(BakeUnder, IsTheSameByEveryMethod) {
   const LightShape light = light_of_kind(GetParam(), {4, 1, 2}, 0.5f, {0, 0, 1});
   for (const Scene& scene :
        {tube_scene(light), scene_to_bake({floor_mesh(0.1f, 0.9f)}, {{2, 2, 1}, 0.5f}, light)}) {
-    const Bake judge = bake_scene(scene, small(40), Method::stochastic);
-    for (const Method method : proving) {
-      const Bake other = bake_scene(scene, small(40), method);
-      EXPECT_TRUE(same_bits(values(judge), values(other))) << static_cast<int>(method);
-      EXPECT_EQ(other.counters.covered, judge.counters.covered);
+    for (const BakeValue value : {BakeValue::fraction, BakeValue::cosine_weighted}) {
+      BakeOptions options = small(30);
+      options.value = value;
+      const Bake judge = bake_scene(scene, options, Method::stochastic);
+      for (const Method method : proving) {
+        const Bake other = bake_scene(scene, options, method);
+        EXPECT_TRUE(same_bits(values(judge), values(other))) << static_cast<int>(method);
+        EXPECT_EQ(other.counters.covered, judge.counters.covered);
+      }
     }
   }
 }
@@ -126,6 +130,15 @@ TEST(Bake, IsTheMeanOfTheVisibleFractionOverTheTexel) {
       largest = std::max(largest, std::abs(error));
     }
   EXPECT_LT(largest, 0.01);
+}
+
+TEST(Bake, WeighsByTheCosineWhatIsAboveTheHorizon) {
+  // Half of the light is below the wall's horizon, and nothing stands before the other half.
+  const Scene scene = scene_to_bake({floor_mesh()}, {{100, 0, 0}, 1}, BallLight{{30, 2, 0}, 1.5f});
+  BakeOptions options = small(8);
+  EXPECT_NEAR(value_at(bake_scene(scene, options), "visibility.light0", 4, 4), 0.5, 0.05);
+  options.value = BakeValue::cosine_weighted;
+  EXPECT_EQ(value_at(bake_scene(scene, options), "visibility.light0", 4, 4), 1);
 }
 
 TEST(Bake, MixesTheTrianglesOfATexelByArea) {
