@@ -131,7 +131,7 @@ class AtlasMaker {
                             "coordinates for a lightmap",
                             most_layers),
                 "unwrap it so that each triangle has a place of its own (Blender: Lightmap Pack, "
-                "Smart UV Project; xatlas), or bake one mesh at a time (--per-mesh)");
+                "Smart UV Project; xatlas), or bake one mesh at a time");
   }
   [[noreturn]] void refuse_empty() const {
     throw Error({scene_.name, {}, {}},
