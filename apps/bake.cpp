@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
-#include <limits>
 #include <memory>
 #include <utility>
 
@@ -94,9 +93,7 @@ void add_shadow_options(CLI::App& app, Options& o) {
   add("--shadow-samples", "D", "Samples a point and light (default 32)", [&o](Text text) {
     o.bake.shadow_samples = static_cast<std::uint32_t>(parse_count(text, 1, 65536));
   });
-  add("--seed", "N", "Of the random numbers (default 0)", [&o](Text text) {
-    o.bake.seed = parse_count(text, 0, std::numeric_limits<std::uint64_t>::max());
-  });
+  add_seed_option(app, o.bake.seed);
   add_light_radius_option(app, o.wishes);
 }
 
@@ -263,6 +260,7 @@ Command add_bake(CLI::App& program, const std::vector<std::string>& arguments) {
                   "A file with a mesh that has texture coordinates (glTF, OBJ, PLY, ...)");
   add_texture_options(*app, *options);
   add_shadow_options(*app, *options);
+  add_ground_options(*app, options->wishes);
   add_light_options(*app, options->wishes);
   add_run_options(*app, *options);
   app->footer(std::string(about) + "\n\n" + lights_help + examples);

@@ -28,5 +28,6 @@ Command add_generate(CLI::App& program);
 Command add_compare(CLI::App& program);
 Command add_bench(CLI::App& program);
 Command add_reproduce(CLI::App& program);
+Command add_visibility(CLI::App& program);
 
 }  // namespace penumbra

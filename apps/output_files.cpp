@@ -1,23 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "output_files.h"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 
-#include "usage_error.h"
-
 namespace penumbra {
-
-void check_files_differ(const std::string& a, const std::string& b) {
-  if (a.empty() || b.empty()) return;
-  std::error_code ignored;
-  const auto same = std::filesystem::weakly_canonical(a, ignored) ==
-                    std::filesystem::weakly_canonical(b, ignored);
-  if (same || std::filesystem::equivalent(a, b, ignored))
-    throw UsageError(
-        fmt::format("{} and {} are the same file; give the output another name", a, b));
-}
 
 std::string with_suffix(const std::string& path, std::string_view suffix) {
   std::filesystem::path p(path);

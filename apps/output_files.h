@@ -8,9 +8,6 @@
 
 namespace penumbra {
 
-/// Throws UsageError where both name one file, which would end as neither. Empty names are none.
-void check_files_differ(const std::string& a, const std::string& b);
-
 /// "out/map.png" and "-light0": "out/map-light0.png".
 std::string with_suffix(const std::string& path, std::string_view suffix);
 

@@ -76,7 +76,7 @@ int main_with(const std::vector<std::string>& arguments) {
   const std::vector<Command> commands = {
       add_render(program, arguments), add_bake(program, arguments), add_info(program),
       add_generate(program),          add_compare(program),         add_bench(program),
-      add_reproduce(program)};
+      add_reproduce(program),         add_visibility(program)};
   try {
     std::vector<std::string> backwards(arguments.rbegin(), std::prev(arguments.rend()));
     std::transform(backwards.begin(), backwards.end(), backwards.begin(), with_leading_zero);

@@ -12,7 +12,6 @@
 #include "commands.h"
 #include "deferred_signals.h"
 #include "options.h"
-#include "output_files.h"
 #include "penumbra/scene/error.h"
 #include "penumbra/scene_io/image_io.h"
 #include "penumbra/scene_io/write_scene.h"

@@ -6,7 +6,6 @@
 #include <CLI/App.hpp>
 
 #include <cstdio>
-#include <functional>
 #include <limits>
 
 #include "options.h"
@@ -25,19 +24,10 @@ const char* const lights_help =
     "All but suns may end in `beam ax ay az full none`: along an axis, full light up to the first\n"
     "angle from it (in degrees), none from the second on.\n\n";
 
-namespace {
-
-CLI::Option* add_to_scene(CLI::App& command, const char* name, const char* value, const char* help,
-                          const std::function<void(const std::string&)>& parse) {
-  return add_parsed(command, name, value, help, parse)->group("Scene");
-}
-
-}  // namespace
-
 void add_scene_options(CLI::App& command, SceneWishes& w) {
   using Text = const std::string&;
   const auto add = [&command](const char* name, const char* value, const char* help, auto parse) {
-    add_to_scene(command, name, value, help, parse);
+    add_parsed(command, name, value, help, parse)->group("Scene");
   };
   add("--from", "x,y,z", "Camera position",
       [&w](Text text) { w.complete.from = parse_vector(text); });
@@ -51,16 +41,21 @@ void add_scene_options(CLI::App& command, SceneWishes& w) {
       [&w](Text text) { w.complete.ambient = parse_color(text); });
   add("--background", "r,g,b", "Colour where nothing is hit",
       [&w](Text text) { w.complete.background = parse_color(text); });
+  add_ground_options(command, w);
   add_light_options(command, w);
-  add_read_options(command, w.read);
+}
+
+void add_ground_options(CLI::App& command, SceneWishes& w) {
+  using Text = const std::string&;
+  add_parsed(command, "--up", "x,y,z", "Which way is up", [&w](Text text) {
+    w.complete.up = parse_vector(text);
+  })->group("Scene");
+  add_parsed(command, "--ground", "auto|none|HEIGHT", "A floor (default auto: under bare models)",
+             [&w](Text text) { w.complete.ground = parse_ground(text); })
+      ->group("Scene");
 }
 
 void add_light_options(CLI::App& command, SceneWishes& w) {
-  using Text = const std::string&;
-  add_to_scene(command, "--up", "x,y,z", "Which way is up",
-               [&w](Text text) { w.complete.up = parse_vector(text); });
-  add_to_scene(command, "--ground", "auto|none|HEIGHT", "A floor (default auto: under bare models)",
-               [&w](Text text) { w.complete.ground = parse_ground(text); });
   command
       .add_option("--light", w.light_words,
                   "Add a light, see below; the first one replaces the file's")
@@ -68,6 +63,7 @@ void add_light_options(CLI::App& command, SceneWishes& w) {
       ->group("Scene");
   command.add_flag("--clear-glass", w.complete.clear_glass, "Transparent things cast no shadow")
       ->group("Shadows");
+  add_read_options(command, w.read);
 }
 
 void add_light_radius_option(CLI::App& command, SceneWishes& w) {
@@ -88,9 +84,15 @@ void add_ray_options(CLI::App& command, RenderOptions& o) {
       "One ray goes through a pixel's upper left corner, as in the SPD, not its centre");
   add_parsed(command, "--depth", "N", "Longest path of mirrors and glass (default 5)",
              [&o](Text text) { o.depth = static_cast<std::uint32_t>(parse_count(text, 1, 64)); });
-  add_parsed(command, "--seed", "N", "Of the random numbers (default 0)", [&o](Text text) {
-    o.seed = parse_count(text, 0, std::numeric_limits<std::uint64_t>::max());
-  })->group("Shadows");
+  add_seed_option(command, o.seed);
+}
+
+void add_seed_option(CLI::App& command, std::uint64_t& seed) {
+  add_parsed(command, "--seed", "N", "Of the random numbers (default 0)",
+             [&seed](const std::string& text) {
+               seed = parse_count(text, 0, std::numeric_limits<std::uint64_t>::max());
+             })
+      ->group("Shadows");
 }
 
 void take_back_scenes(SceneWishes& wishes, std::vector<std::string>& scenes) {
