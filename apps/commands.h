@@ -22,6 +22,7 @@ struct Command {
 
 /// `arguments`: the whole command line, for pictures to say how they were made.
 Command add_render(CLI::App& program, const std::vector<std::string>& arguments);
+Command add_bake(CLI::App& program, const std::vector<std::string>& arguments);
 Command add_info(CLI::App& program);
 Command add_generate(CLI::App& program);
 Command add_compare(CLI::App& program);

@@ -188,6 +188,32 @@ std::vector<Aov> parse_aovs(std::string_view text) {
   return aovs;
 }
 
+UvChoice parse_uv_set(std::string_view text) {
+  static constexpr std::array sets = {Choice<UvChoice>{"auto", UvChoice::automatic},
+                                      Choice<UvChoice>{"1", UvChoice::first},
+                                      Choice<UvChoice>{"2", UvChoice::second}};
+  return choose<UvChoice>(text, sets);
+}
+
+BakeValue parse_bake_value(std::string_view text) {
+  static constexpr std::array weights = {Choice<BakeValue>{"none", BakeValue::fraction},
+                                         Choice<BakeValue>{"cosine", BakeValue::cosine_weighted}};
+  return choose<BakeValue>(text, weights);
+}
+
+BakeChannel parse_bake_channel(std::string_view text) {
+  static constexpr std::array channels = {Choice<BakeChannel>{"per-light", BakeChannel::per_light},
+                                          Choice<BakeChannel>{"mean", BakeChannel::mean}};
+  return choose<BakeChannel>(text, channels);
+}
+
+void parse_bake_layers(std::string_view text, BakeOutput& output) {
+  using Layer = bool BakeOutput::*;
+  static constexpr std::array layers = {Choice<Layer>{"class", &BakeOutput::has_classes},
+                                        Choice<Layer>{"coverage", &BakeOutput::has_coverage}};
+  for (const std::string& name : parse_list(text)) output.*choose<Layer>(name, layers) = true;
+}
+
 std::vector<Light> parse_lights(const std::vector<std::string>& words) {
   // One quoted argument may hold all words of a light.
   std::vector<std::string> all;

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "bake_files.h"
 #include "penumbra/kernel/embree_baseline.h"
 #include "penumbra/scene/complete_scene.h"
 #include "penumbra/scene_io/read_points.h"
@@ -64,6 +65,15 @@ EmbreeSpheres parse_embree_spheres(std::string_view text);
 
 /// `class,visibility,depth,normal,samples`, any of them.
 std::vector<Aov> parse_aovs(std::string_view text);
+
+/// `auto`, `1` or `2`.
+UvChoice parse_uv_set(std::string_view text);
+/// `none` or `cosine`.
+BakeValue parse_bake_value(std::string_view text);
+/// `per-light` or `mean`.
+BakeChannel parse_bake_channel(std::string_view text);
+/// `class` and `coverage`, any of them: sets what is named.
+void parse_bake_layers(std::string_view text, BakeOutput& output);
 
 /// The words after all `--light` options, one after the other: a light starts at each word that is
 /// not a number.

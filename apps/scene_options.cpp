@@ -32,20 +32,27 @@ void add_scene_options(CLI::App& command, SceneWishes& w) {
   add("--from", "x,y,z", "Camera position",
       [&w](Text text) { w.complete.from = parse_vector(text); });
   add("--at", "x,y,z", "What it looks at", [&w](Text text) { w.complete.at = parse_vector(text); });
-  add("--up", "x,y,z", "Its upward direction",
-      [&w](Text text) { w.complete.up = parse_vector(text); });
   add("--fov", "DEG", "Vertical field of view, in perspective",
       [&w](Text text) { w.complete.fov_deg = parse_number(text, 0.001, 179.999); });
   command.add_option("--view", w.view, "A view of Radiance's: a view file, or options like rvu's")
       ->type_name("FILE|OPTIONS")
       ->group("Scene");
-  add("--ground", "auto|none|HEIGHT", "A floor (default auto: under bare models)",
-      [&w](Text text) { w.complete.ground = parse_ground(text); });
   add("--ambient", "r,g,b", "Light from everywhere, without shadows: 0,0,0 is none",
       [&w](Text text) { w.complete.ambient = parse_color(text); });
   add("--background", "r,g,b", "Colour where nothing is hit",
       [&w](Text text) { w.complete.background = parse_color(text); });
+  add_ground_options(command, w);
   add_light_options(command, w);
+}
+
+void add_ground_options(CLI::App& command, SceneWishes& w) {
+  using Text = const std::string&;
+  add_parsed(command, "--up", "x,y,z", "Which way is up", [&w](Text text) {
+    w.complete.up = parse_vector(text);
+  })->group("Scene");
+  add_parsed(command, "--ground", "auto|none|HEIGHT", "A floor (default auto: under bare models)",
+             [&w](Text text) { w.complete.ground = parse_ground(text); })
+      ->group("Scene");
 }
 
 void add_light_options(CLI::App& command, SceneWishes& w) {

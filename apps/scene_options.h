@@ -27,6 +27,9 @@ struct SceneWishes {
 /// `wishes` must live until the command line is parsed.
 void add_scene_options(CLI::App& command, SceneWishes& wishes);
 
+/// Of them `--up` and `--ground`.
+void add_ground_options(CLI::App& command, SceneWishes& wishes);
+
 /// Those of them that say which lights there are, and what readers ask: `--light`, `--clear-glass`
 /// and those of molecules.
 void add_light_options(CLI::App& command, SceneWishes& wishes);
