@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "options.h"
+#include "penumbra/version.h"
 #include "resources.h"
 
 namespace penumbra {
