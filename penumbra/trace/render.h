@@ -2,86 +2,20 @@
 // Scene + shadows -> picture.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <functional>
-#include <optional>
-#include <span>
 #include <string>
-#include <vector>
 
 #include "penumbra/kernel/kernel.h"
-#include "penumbra/scene/image.h"
 #include "penumbra/scene/scene.h"
 #include "penumbra/shadow/visibility.h"
+#include "penumbra/trace/picture.h"
 
 namespace penumbra {
 
-/// Image layers beside the colour.
-enum class Aov { light_class, visibility, depth, normal, samples };
-
-/// Questions that were asked together, and their answers: those of one wave of a block (all rays at
-/// the same node of their trees) about one light.
-struct AnsweredBatch {
-  std::uint32_t block;  ///< of `block_edge` squared pixels, numbered row by row
-  std::uint64_t path;   ///< of the ray tree, see RayNode
-  std::uint32_t light;
-  std::span<const ShadowQuery> queries;
-  std::span<const Visibility> seen;
-};
-
-/// Where the one ray of a pixel goes: through its centre, or, as the Standard Procedural Databases
-/// have it, through its upper left corner. More samples a pixel are spread over it.
-enum class PixelPoint { center, corner };
-
-struct RenderOptions {
-  std::uint32_t shadow_samples = 32;  ///< d, >= 1
-  std::uint32_t width = 512, height = 512;
-  std::uint32_t samples_per_pixel = 1;
-  PixelPoint pixel_point = PixelPoint::center;
-  std::uint32_t depth = 5;  ///< longest path of the ray tree, the camera ray being 1
-  std::uint64_t seed = 0;
-  /// Edge of the square tiles threads take, in pixels, rounded up to whole blocks of `block_edge`;
-  /// changes no result.
-  std::uint32_t tile = 16;
-  std::uint32_t threads = 0;  ///< 0: all
-  std::vector<Aov> aovs;
-  /// Called with the finished share in [0, 1], from any thread, one call at a time.
-  std::function<void(double)> progress;
-  /// Called with every batch that is not empty, from any thread, several calls at a time. Those of
-  /// one block come in order, from one thread.
-  std::function<void(const AnsweredBatch&)> observe;
-};
-
-/// The occluder cache lives in one block of this edge, so that counters depend on no tile or
-/// thread.
-inline constexpr std::uint32_t block_edge = 16;
-
-/// Exact integers, equal for any number of threads and any tile size.
-struct RenderCounters {
-  std::uint64_t primary = 0, reflected = 0, refracted = 0;  ///< rays for closest hits
-  std::uint64_t closest_tests = 0;                          ///< primitives tested by them
-  ShadowCounters shadow;
-
-  void add(const RenderCounters& other);
-};
-
-struct RenderSeconds {
-  double render = 0;  ///< wall time of the picture
-  double shadow = 0;  ///< of it, in visibility; summed over threads, divided by their number
-};
-
-struct Picture {
-  Image image;  ///< linear R, G, B, then the layers asked for
-  RenderCounters counters;
-  RenderSeconds seconds;
-  std::uint32_t threads = 1;
-};
-
 /// The scene must be complete (`complete_scene`), and `shadows` prepared for it: they say by which
 /// method.
-/// Same scene, seed and options give the same bits for any `threads` and `tile`. Does not throw;
-/// memory is allocated by tile and pixel, not by ray.
+/// Same scene, seed and options give the same bits for any `threads` and `tile`. Throws nothing but
+/// what `progress` throws; memory is allocated by tile and pixel, not by ray.
 Picture render(const Scene& scene, const ShadowScene& shadows, const RenderOptions& options);
 
 /// Everything about one pixel as text for people: each path of the ray tree, hit, normal, each
