@@ -27,7 +27,7 @@ struct Page {
 
 /// Text that roff prints as it stands; `code` in bold.
 std::string plain(std::string_view text) {
-  std::string roff = text.starts_with('.') || text.starts_with('\'') ? "\\&" : "";
+  std::string roff;
   bool is_code = false;
   for (const char c : text) {
     if (c == '\\') {
@@ -44,6 +44,26 @@ std::string plain(std::string_view text) {
   return roff;
 }
 
+/// A line of text, not to be taken for a request.
+std::string line(std::string_view roff) {
+  const bool is_like_request = roff.starts_with('.') || roff.starts_with('\'');
+  return fmt::format("{}{}\n", is_like_request ? "\\&" : "", roff);
+}
+
+/// Running text, in lines of a length that people can read.
+std::string running(std::string_view text) {
+  constexpr std::size_t longest = 76;
+  const std::string roff = plain(text);
+  std::string_view rest = roff;
+  std::string lines;
+  while (rest.size() > longest && rest.rfind(' ', longest) != rest.npos) {
+    const std::size_t space = rest.rfind(' ', longest);
+    lines += line(rest.substr(0, space));
+    rest.remove_prefix(space + 1);
+  }
+  return lines + line(rest);
+}
+
 std::string bold(std::string_view text) { return "\\fB" + plain(text) + "\\fR"; }
 std::string italic(std::string_view text) { return "\\fI" + plain(text) + "\\fR"; }
 
@@ -51,7 +71,7 @@ std::string section(std::string_view title) { return fmt::format(".SH {}\n", tit
 
 /// A term, and what is said of it.
 std::string item(const std::string& term, std::string_view text) {
-  return fmt::format(".TP\n{}\n{}", term, text.empty() ? "" : plain(text) + '\n');
+  return fmt::format(".TP\n{}\n{}", term, text.empty() ? "" : running(text));
 }
 
 bool is_visible(const CLI::App* command) { return !command->get_group().empty(); }
@@ -98,11 +118,11 @@ struct Footer {
   std::string notes, examples, exit_codes;
 };
 
-std::string indented_line(std::string_view line) {
-  line.remove_prefix(line.find_first_not_of(' '));
-  const std::size_t gap = line.find("  ");
-  if (gap == line.npos) return item(plain(line), {});
-  return item(plain(line.substr(0, gap)), line.substr(line.find_first_not_of(' ', gap)));
+std::string indented_line(std::string_view text) {
+  text.remove_prefix(text.find_first_not_of(' '));
+  const std::size_t gap = text.find("  ");
+  if (gap == text.npos) return item(plain(text), {});
+  return item(plain(text.substr(0, gap)), text.substr(text.find_first_not_of(' ', gap)));
 }
 
 Footer footer_of(const CLI::App& command) {
@@ -110,22 +130,22 @@ Footer footer_of(const CLI::App& command) {
   Footer footer;
   std::istringstream lines(command.get_footer());
   bool are_examples = false, is_new = true;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.empty()) {
+  for (std::string text; std::getline(lines, text);) {
+    if (text.empty()) {
       is_new = true;
-    } else if (line.starts_with("Example")) {
+    } else if (text.starts_with("Example")) {
       are_examples = true;
-    } else if (line.starts_with(exit_code)) {
-      footer.exit_codes = plain(line.substr(exit_code.size())) + '\n';
+    } else if (text.starts_with(exit_code)) {
+      footer.exit_codes = running(text.substr(exit_code.size()));
       is_new = true;
-    } else if (line.starts_with(' ') && are_examples) {
-      footer.examples += plain(line.substr(line.find_first_not_of(' '))) + '\n';
-    } else if (line.starts_with(' ')) {
-      footer.notes += indented_line(line);
+    } else if (text.starts_with(' ') && are_examples) {
+      footer.examples += line(plain(text.substr(text.find_first_not_of(' '))));
+    } else if (text.starts_with(' ')) {
+      footer.notes += indented_line(text);
       is_new = true;
     } else {
       are_examples = false;
-      footer.notes += (is_new && !footer.notes.empty() ? ".PP\n" : "") + plain(line) + '\n';
+      footer.notes += (is_new && !footer.notes.empty() ? ".PP\n" : "") + running(text);
       is_new = false;
     }
   }
@@ -146,7 +166,7 @@ std::string end_of(const CLI::App& command, const std::vector<std::string>& see_
   if (!footer.examples.empty()) text += section("EXAMPLES") + ".nf\n" + footer.examples + ".fi\n";
   text += section("SEE ALSO");
   for (const std::string& page : see_also)
-    text += fmt::format(".BR {} (1){}\n", plain(page), page == see_also.back() ? "" : ",");
+    text += fmt::format(".BR \\%{} (1){}\n", plain(page), page == see_also.back() ? "" : ",");
   return text;
 }
 
@@ -161,7 +181,7 @@ Page command_page(const CLI::App& command) {
     page.body += ' ' + argument_term(*argument);
     items += item(italic(argument->get_name(true)), argument->get_description());
   }
-  page.body += '\n' + section("DESCRIPTION") + plain(command.get_description()) + ".\n";
+  page.body += '\n' + section("DESCRIPTION") + running(command.get_description() + ".");
   if (!items.empty()) page.body += section("ARGUMENTS") + items;
   page.body += options_text(command) + end_of(command, {"penumbra"});
   return page;
@@ -171,7 +191,7 @@ Page program_page(const CLI::App& program, const std::vector<const CLI::App*>& c
   Page page{"penumbra", "soft shadows at the price of hard ones", {}};
   page.body = section("SYNOPSIS") + bold("penumbra") + ' ' + italic("COMMAND") + " [" +
               italic("OPTIONS") + "]\n" + section("DESCRIPTION") +
-              plain(program.get_description()) + "\n" + section("COMMANDS");
+              running(program.get_description()) + section("COMMANDS");
   std::vector<std::string> pages;
   for (const CLI::App* command : commands) {
     page.body += item(bold(command->get_name()), command->get_description() + ".");
@@ -188,8 +208,8 @@ void write_page(const std::filesystem::path& folder, const Page& page, const std
   if (summary[0] >= 'A' && summary[0] <= 'Z') summary[0] = static_cast<char>(summary[0] + 32);
   write_file(folder / (page.name + ".1"),
              fmt::format(".TH {} 1 \"{}\" \"penumbra {}\" \"User Commands\"\n"
-                         ".SH NAME\n{} \\- {}\n{}",
-                         plain(title), date, PENUMBRA_VERSION, plain(page.name), plain(summary),
+                         ".SH NAME\n{} \\- {}{}",
+                         plain(title), date, PENUMBRA_VERSION, plain(page.name), running(summary),
                          page.body));
 }
 

@@ -40,7 +40,11 @@ if(PROJECT_IS_TOP_LEVEL)
     RENAME _penumbra COMPONENT runtime)
   install(FILES ${made}/completion/fish DESTINATION ${shells}/fish/vendor_completions.d
     RENAME penumbra.fish COMPONENT runtime)
-  install(FILES README.md CHANGELOG.md CITATION.cff LICENSE
-    DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+  install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+  install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT runtime)  # Debian's name for it
   install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT runtime)
+
+  # All of the above and no tests: `cmake --build build --target installable`.
+  add_custom_target(installable DEPENDS
+    penumbra_app penumbra_manual penumbra_shared_visibility penumbra_shared_render)
 endif()

@@ -101,7 +101,7 @@ class InstallTest(unittest.TestCase):
         pages = {path.name for path in (self.prefix / "share/man/man1").iterdir()}
         self.assertLessEqual({"penumbra.1", "penumbra-render.1"}, pages)
         for path in ("bash-completion/completions/penumbra", "zsh/vendor-completions/_penumbra",
-                     "fish/vendor_completions.d/penumbra.fish", "doc/penumbra/README.md", "doc/penumbra/LICENSE"):
+                     "fish/vendor_completions.d/penumbra.fish", "doc/penumbra/README.md", "doc/penumbra/copyright"):
             self.assertTrue((self.prefix / "share" / path).is_file(), path)
 
 
