@@ -208,7 +208,7 @@ void write_page(const std::filesystem::path& folder, const Page& page, const std
   if (summary[0] >= 'A' && summary[0] <= 'Z') summary[0] = static_cast<char>(summary[0] + 32);
   write_file(folder / (page.name + ".1"),
              fmt::format(".TH {} 1 \"{}\" \"penumbra {}\" \"User Commands\"\n"
-                         ".SH NAME\n{} \\- {}{}",
+                         ".SH NAME\n{} \\-\n{}{}",
                          plain(title), date, PENUMBRA_VERSION, plain(page.name), running(summary),
                          page.body));
 }

@@ -4,9 +4,9 @@ set(CPACK_PACKAGE_VENDOR penumbra)
 set(CPACK_PACKAGE_CONTACT "the authors of penumbra <noreply@invalid>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "soft shadows at the price of hard ones")
 set(CPACK_PACKAGE_DESCRIPTION
-"Renders scenes with area lights, and answers which part of a light points see:
-each point is first proven lit or in umbra, and only where neither is proven are
-shadow rays traced. Program, C++ and C library, headers.")
+"Renders scenes with area lights, and says which part of a light points see:
+each is first proven lit or in umbra, and rays are traced only where neither
+is proven. Program, C++ and C library, headers.")
 set(CPACK_GENERATOR TGZ)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_VERBATIM_VARIABLES ON)

@@ -70,7 +70,7 @@ std::size_t count_differing(const Occluders& occluders, const Renderer& renderer
       {.positions = VectorRows(&first.position, count, sizeof(Asked)),
        .normals = VectorRows(&first.normal, count, sizeof(Asked)),
        .offset = 0,
-       .keys = std::span(keys)},
+       .keys = std::span<const std::uint64_t>(keys)},
       renderer.scene().lights[together.light].shape,
       {.shadow_samples = options.shadow_samples, .light_index = together.light});
   std::size_t differing = 0;
