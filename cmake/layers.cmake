@@ -58,7 +58,6 @@ function(penumbra_shared component)
   foreach(layer IN LISTS S_LAYERS)
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:penumbra_${layer}>)
     get_target_property(libraries penumbra_${layer} PENUMBRA_LIBRARIES)
-    list(TRANSFORM libraries REPLACE "(.+)" "$<BUILD_INTERFACE:\\1>")  # the installed targets name none of them
     target_link_libraries(${target} PRIVATE ${libraries})
   endforeach()
   list(TRANSFORM S_USES PREPEND penumbra_shared_)

@@ -49,13 +49,13 @@ struct RenderOptions {
   /// changes no result.
   std::uint32_t tile = 16;
   std::uint32_t threads = 0;  ///< 0: all
-  std::vector<Aov> aovs;
+  std::vector<Aov> aovs{};
   /// Called with the finished share in [0, 1], from any thread, one call at a time. What it throws
   /// ends the picture, and comes out of `render`.
-  std::function<void(double)> progress;
+  std::function<void(double)> progress{};
   /// Called with every batch that is not empty, from any thread, several calls at a time. Those of
   /// one block come in order, from one thread.
-  std::function<void(const AnsweredBatch&)> observe;
+  std::function<void(const AnsweredBatch&)> observe{};
 };
 
 /// The occluder cache lives in one block of this edge, so that counters depend on no tile or
