@@ -124,7 +124,7 @@ void add_all(const std::string& name, float radius_percent) {
       std::uint64_t tests = 0;
       const std::uint32_t start = w.kernel.closest_record({seen.p, seen.way, 0, 1});
       if (start != no_record)
-        benchmark::DoNotOptimize(sheet_covers(w.shadows.sheet, w.kernel.records(), seen, start,
+        benchmark::DoNotOptimize(sheet_covers(*w.shadows.sheet, w.kernel.records(), seen, start,
                                               SheetScratch::most, *scratch, tests));
     });
   });

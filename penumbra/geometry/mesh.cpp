@@ -6,8 +6,6 @@
 #include <limits>
 
 namespace penumbra {
-namespace {
-
 /// Anything not finite is no degenerate triangle: it stays for `validate` to complain about.
 bool is_degenerate(const Mesh& mesh, const Triangle& t) {
   const Vec3f a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
@@ -16,8 +14,6 @@ bool is_degenerate(const Mesh& mesh, const Triangle& t) {
   constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
   return length(cross(ab, ac)) <= rounding * length(ab) * length(ac);
 }
-
-}  // namespace
 
 std::size_t drop_degenerate_triangles(Mesh& mesh) {
   std::size_t kept = 0;

@@ -36,8 +36,11 @@ inline std::uint32_t surface_of(const Mesh& mesh, std::size_t triangle) {
 
 // The functions below need indices below positions.size(); positions may be anything.
 
-/// Drops triangles with two equal corners (by index or position), or whose corners lie on one line
-/// to double precision. Vertices stay. Returns how many went. Cost: linear.
+/// Whether two corners are equal (by index or position), or all lie on one line to double
+/// precision.
+bool is_degenerate(const Mesh& mesh, const Triangle& triangle);
+
+/// Drops triangles that are. Vertices stay. Returns how many went. Cost: linear.
 std::size_t drop_degenerate_triangles(Mesh& mesh);
 
 /// Normals averaged over the triangles around each position, weighted by angle (Thuermer &

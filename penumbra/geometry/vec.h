@@ -69,6 +69,13 @@ Vec3<N> normalize(Vec3<N> a) {
   return a / length(a);
 }
 
+/// Unit length; zero where there is no direction. What has it to float precision stays as it is, so
+/// that doing so again changes no bit.
+inline Vec3f unit(Vec3f v) {
+  if (std::abs(length_squared(Vec3d(v)) - 1) < 1e-6) return v;
+  return is_finite(v) ? normalize(v) : Vec3f{};
+}
+
 /// Two unit vectors that make a right-handed frame (u, v, n) with the unit vector n
 /// (Duff et al., Building an Orthonormal Basis, Revisited, JCGT 2017).
 template <typename N>

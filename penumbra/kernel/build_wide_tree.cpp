@@ -203,6 +203,25 @@ Box bounds(const WideNode& node) {
   return box;
 }
 
+void refit_boxes(WideTree& tree) {
+  const auto box_below = [&](NodeRef child) {
+    if (child.is_placement()) return tree.placements[child.placed()].box;
+    if (!child.is_leaf()) return bounds(tree.nodes[child.node()]);
+    Box box;
+    for (std::uint32_t i = 0; i < child.count(); ++i)
+      box.add(bounds(tree.records[child.first() + i]));
+    return box;
+  };
+  // Children stand behind their parents.
+  for (std::size_t n = tree.nodes.size(); n-- > 0;)
+    for (unsigned child = 0; child < WideNode::width; ++child) {
+      if (!(tree.nodes[n].used >> child & 1)) continue;
+      const Box b = box_below(tree.nodes[n].child[child]);
+      Flattener::set_box(tree.nodes[n], child,
+                         {b.lo.x, b.lo.y, b.lo.z, 0, b.hi.x, b.hi.y, b.hi.z, 0});
+    }
+}
+
 std::size_t WideTree::memory_bytes() const {
   std::size_t sum = nodes.capacity() * sizeof(WideNode) + records.capacity() * sizeof(Record) +
                     placements.capacity() * sizeof(Placement);

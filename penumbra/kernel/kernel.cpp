@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/kernel/kernel.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <bit>
 
@@ -66,7 +69,38 @@ std::vector<Placement> placements_of(const ShapeSet& shapes, std::uint32_t first
   return placements;
 }
 
+/// Makes the tree's records anew of shapes that have moved.
+void refit_records(WideTree& tree, const std::vector<std::uint32_t>& begin,
+                   const ShapeSet& shapes) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tree.records.size(), 4096),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                        Record& record = tree.records[i];
+                        const bool casts_shadow = record.casts_shadow;
+                        record = make_record(shapes, find_shape(begin, record.id), record.id);
+                        record.casts_shadow = casts_shadow;
+                      }
+                    });
+}
+
 }  // namespace
+
+Kernel::Kernel(std::unique_ptr<const Data> data) : data_(std::move(data)) {}
+
+Kernel Kernel::refitted(const ShapeSet& shapes) const {
+  auto data = std::make_unique<Data>(*data_);
+  WideTree& tree = data->tree;
+  for (std::size_t i = 0; i < tree.groups.size(); ++i) {
+    refit_records(tree.groups[i], data->begin_in_group[i], shapes.groups[i]);
+    refit_boxes(tree.groups[i]);
+  }
+  refit_records(tree, data->begin, shapes);
+  tree.placements =
+      placements_of(shapes, static_cast<std::uint32_t>(tree.records.size()), tree.groups);
+  refit_boxes(tree);
+  data->box = penumbra::bounds(shapes);
+  return Kernel(std::move(data));
+}
 
 Kernel::Kernel(const ShapeSet& shapes, const KernelOptions& options) {
   auto data = std::make_unique<Data>();
@@ -135,6 +169,8 @@ SingleReport Kernel::occluded_singly(const LightSamples& rays,
     report.traced += static_cast<std::uint64_t>(std::popcount(word));
   return report;
 }
+
+ShapeRef Kernel::shape(std::uint32_t record) const { return data_->shape_of(records()[record].id); }
 
 const WideTree& Kernel::tree() const { return data_->tree; }
 

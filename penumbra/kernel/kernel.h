@@ -45,6 +45,13 @@ class Kernel {
   /// `validate`): finite, in range. Cost: O(n log n) over all cores. Deterministic.
   Kernel(const ShapeSet& shapes, const KernelOptions& options);
   ~Kernel();
+
+  /// The kernel of the same shapes elsewhere: `shapes` must have as many of everything, in the same
+  /// order, groups and instances too. Records are made anew and boxes fitted to them; the tree
+  /// keeps its shape, so that questions become slower the farther shapes have moved. Answers are
+  /// those of a new kernel, but where several hits tie. Cost: linear; memory of a second kernel.
+  Kernel refitted(const ShapeSet& shapes) const;
+
   Kernel(Kernel&&) noexcept;
   Kernel& operator=(Kernel&&) noexcept;
 
@@ -75,6 +82,9 @@ class Kernel {
   /// then those of each instance.
   RecordTable records() const;
 
+  /// Which primitive one of them is.
+  ShapeRef shape(std::uint32_t record) const;
+
   /// The hierarchy over them, for `walk`; brute force has no nodes.
   const WideTree& tree() const;
 
@@ -83,6 +93,7 @@ class Kernel {
 
  private:
   struct Data;
+  explicit Kernel(std::unique_ptr<const Data> data);
   std::unique_ptr<const Data> data_;
 };
 

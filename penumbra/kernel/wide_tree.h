@@ -78,6 +78,10 @@ struct WideTree {
 WideTree build_wide_tree(const std::vector<Record>& records, std::vector<WideTree> groups = {},
                          std::vector<Placement> placements = {});
 
+/// After records (other boxes, the same count) or groups have changed in place: fits all boxes to
+/// them, bottom-up; the tree keeps its shape. Placements are made anew by the caller. Cost: linear.
+void refit_boxes(WideTree& tree);
+
 /// Box of one child.
 inline Box box_of(const WideNode& node, int child) {
   return {{node.lo[0][child], node.lo[1][child], node.lo[2][child]},

@@ -147,6 +147,12 @@ std::optional<LightProblem> problem_of(const LightShape& light) {
   return std::visit([](const auto& shape) { return problem_with(shape); }, light);
 }
 
+bool is_too_large(const LightShape& light, double extent) {
+  if (std::holds_alternative<BallLight>(light)) return false;
+  const std::optional<Box> box = bounds(light);
+  return box && box->largest_extent() > 1e6 * extent;
+}
+
 std::optional<LightProblem> problem_of(const Beam& beam, const LightShape& light) {
   if (std::holds_alternative<SunLight>(light))
     return LightProblem{"is a sun with a beam", "leave the beam out: a sun shines everywhere"};

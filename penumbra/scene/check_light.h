@@ -18,7 +18,11 @@ struct LightProblem {
 /// by a thousandth of their size. Cost: triangles times corners.
 std::optional<LightProblem> problem_of(const LightShape& light);
 
-/// The same for the beam of a light of this shape. Its axis need not be unit, but not 0.
+/// Whether a light is so large that float loses, beside it, shapes of this extent: flat, long and
+/// many-cornered ones are sampled in coordinates of their own size.
+bool is_too_large(const LightShape& light, double extent);
+
+/// What is wrong with the beam of a light of this shape. Its axis need not be unit, but not 0.
 std::optional<LightProblem> problem_of(const Beam& beam, const LightShape& light);
 
 }  // namespace penumbra

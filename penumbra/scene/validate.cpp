@@ -17,13 +17,6 @@ namespace penumbra {
 
 namespace {
 
-/// Unit length; zero where there is no direction. What has it to float precision stays as it is, so
-/// that validating again (a scene that went through a file) changes no bit.
-Vec3f unit(Vec3f v) {
-  if (std::abs(length_squared(Vec3d(v)) - 1) < 1e-6) return v;
-  return is_finite(v) ? normalize(v) : Vec3f{};
-}
-
 bool is_color(Color c) { return is_finite(c) && c.x >= 0 && c.y >= 0 && c.z >= 0; }
 
 /// Names the scene in the errors that its checks throw.
@@ -188,14 +181,6 @@ void check_instances(ShapeSet& shapes, const Checker& check) {
   const Box box = bounds(shapes);
   check.require(box.is_empty() || (is_coordinate(box.lo) && is_coordinate(box.hi)),
                 "an instance reaches beyond 1e15", coordinate_hint);
-}
-
-/// Flat, long and many-cornered lights are sampled in coordinates of their own size, beside which
-/// float loses a scene that is so much smaller.
-bool is_too_large(const LightShape& light, double extent) {
-  if (std::holds_alternative<BallLight>(light)) return false;
-  const std::optional<Box> box = bounds(light);
-  return box && box->largest_extent() > 1e6 * extent;
 }
 
 void check_lights(Scene& scene, const Checker& check) {

@@ -25,18 +25,18 @@ struct CandidateRows {
   }
 };
 
-using SphereRows = CandidateRows<ShapeKind::sphere, 4>;
-using RingRows = CandidateRows<ShapeKind::ring, 7>;
-using ConeRows = CandidateRows<ShapeKind::cone, 9>;
-using TriangleRows = CandidateRows<ShapeKind::triangle, 9>;
+using SphereCandidates = CandidateRows<ShapeKind::sphere, 4>;
+using RingCandidates = CandidateRows<ShapeKind::ring, 7>;
+using ConeCandidates = CandidateRows<ShapeKind::cone, 9>;
+using TriangleCandidates = CandidateRows<ShapeKind::triangle, 9>;
 
 /// Up to `most` of each kind.
 struct CandidateList {
-  static constexpr std::size_t most = SphereRows::most;
-  SphereRows spheres;      ///< centre 3, radius
-  RingRows rings;          ///< centre 3, unit normal 3, radius
-  ConeRows cones;          ///< base 3, unit axis 3, height, base radius, apex radius
-  TriangleRows triangles;  ///< corners
+  static constexpr std::size_t most = SphereCandidates::most;
+  SphereCandidates spheres;      ///< centre 3, radius
+  RingCandidates rings;          ///< centre 3, unit normal 3, radius
+  ConeCandidates cones;          ///< base 3, unit axis 3, height, base radius, apex radius
+  TriangleCandidates triangles;  ///< corners
 
   void clear() { spheres.count = rings.count = cones.count = triangles.count = 0; }
   std::size_t size() const { return spheres.count + rings.count + cones.count + triangles.count; }

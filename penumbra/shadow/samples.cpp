@@ -25,12 +25,16 @@ void aim_at_center(const LightShape& light, Vec3f p, LightSamples& out) {
 }
 
 /// Cosine of each sample, and a bit for each that lies above the horizon; -1 says that it doesn't.
-std::uint32_t weigh(const Vec3f normal, SampleScratch& scratch) {
+std::uint32_t weigh(const Receiver& receiver, SampleScratch& scratch) {
   const LightSamples& s = scratch.samples;
   scratch.weight.resize(s.x.size());
   scratch.active.assign((s.count + 31) / 32, 0);
   scratch.blocked.assign(scratch.active.size(), 0);
-  weigh_directions(normal, s.x.data(), s.y.data(), s.z.data(), s.x.size(), scratch.weight.data());
+  if (receiver.has_horizon())
+    weigh_directions(receiver.normal, s.x.data(), s.y.data(), s.z.data(), s.x.size(),
+                     scratch.weight.data());
+  else
+    std::fill(scratch.weight.begin(), scratch.weight.end(), 1.0f);
   std::uint32_t above = 0;
   for (std::uint32_t i = 0; i < s.count; ++i) {
     const std::uint32_t is_above = !(scratch.weight[i] < 0);
@@ -160,7 +164,7 @@ std::uint32_t take_samples(const ShadowScene& scene, std::uint32_t light, const 
     aim_at_center(shape, receiver.position, scratch.samples);
   else
     sample_light(shape, receiver.position, pattern, key, scratch.samples);
-  return weigh(receiver.normal, scratch);
+  return weigh(receiver, scratch);
 }
 
 }  // namespace penumbra

@@ -43,7 +43,9 @@ void SeeLight(const LightForm& light, const Box& scene, ReceiverRows& rows, Rece
     const Lane height = dot(n, way), length = norm(n);
     const Lane unsure = hn::Mul(all(sum_pad), distance);
     const LaneVec down = scaled(n, all(-1.0f));
-    const LaneMask above = hn::Gt(hn::Sub(height, sight.extent(down, length)), unsure);
+    const LaneMask has_no_horizon = hn::Eq(largest(n), hn::Zero(lane_tag));
+    const LaneMask above =
+        hn::Or(has_no_horizon, hn::Gt(hn::Sub(height, sight.extent(down, length)), unsure));
     const LaneMask below =
         hn::Lt(hn::Add(hn::Add(height, sight.extent(n, length)), unsure), hn::Zero(lane_tag));
     const Lane outside = hn::Add(all(light.size * (1 + sum_pad)), hn::Mul(doubt, all(6.0f)));

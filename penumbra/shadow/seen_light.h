@@ -48,7 +48,7 @@ struct ReceiverBits {
   /// The same, but that p lies in the ball around the light, or next to it.
   std::uint64_t near = 0;
   /// Every sample lies above, or every sample below, the plane through p across the normal: proven,
-  /// however it is rounded.
+  /// however it is rounded. Without a normal all are above.
   std::uint64_t above = 0, below = 0;
 };
 

@@ -11,7 +11,9 @@ namespace penumbra {
 /// p' of a surface point and the geometric normal on the side it was moved to.
 struct Receiver {
   Vec3f position;
-  Vec3f normal;  ///< unit
+  Vec3f normal;  ///< unit; (0, 0, 0): no surface, all samples are above the horizon and weigh 1
+
+  bool has_horizon() const { return normal != Vec3f{}; }
 };
 
 /// One question: a receiver, and the key of its random numbers (`light_key`).

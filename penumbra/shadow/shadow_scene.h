@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -28,11 +29,13 @@ struct ShadowScene {
   Box receivers;                 ///< holds p' of every surface; nothing is proven of other points
   ShadowSet set;                 ///< empty unless the method has one
   InnerVolumes inner;            ///< of meshes; empty unless the method is `umbra`
-  TriangleSheet sheet;           ///< of meshes; empty unless the method is `shaft`
+  /// Of meshes, never null; empty unless the method is `shaft`. Shared with scenes that differ in
+  /// their lights alone.
+  std::shared_ptr<const TriangleSheet> sheet = std::make_shared<TriangleSheet>();
 
   /// Of what is prepared here beside the kernel: Table 3's shadow set.
   std::size_t memory_bytes() const {
-    return set.memory_bytes() + inner.memory_bytes() + sheet.memory_bytes();
+    return set.memory_bytes() + inner.memory_bytes() + sheet->memory_bytes();
   }
 };
 
@@ -40,5 +43,17 @@ struct ShadowScene {
 ShadowScene prepare_shadows(const Kernel& kernel, const ShapeSet& shapes,
                             const KernelOptions& options, std::span<const LightShape> lights,
                             Method method);
+
+/// After the shapes of a scene that was prepared for `shaft` have moved: the same for the kernel
+/// that was refitted to them, without lights. Neighbours are not looked for anew where they are
+/// neighbours still.
+ShadowScene with_moved_shapes(const ShadowScene& prepared, const Kernel& kernel,
+                              const ShapeSet& shapes);
+
+/// The same for one other light, by `shaft`, `stochastic` or `hard`, and for receivers in a box
+/// that may reach out of the scene. `prepared` must be so for `shaft`, to be asked by it. Cost:
+/// microseconds, linear in the light's corners.
+ShadowScene with_light(const ShadowScene& prepared, const LightShape& light, Method method,
+                       const Box& receivers);
 
 }  // namespace penumbra

@@ -39,21 +39,26 @@ void add_floor(const SeenLight& sight, const Box& scene, ShaftBounds& bounds) {
 
 }  // namespace
 
+ShaftBounds shaft_bounds(const ShadowScene& scene, std::uint32_t light, const Box& receivers,
+                         const SeenLight& sight) {
+  ShaftBounds bounds = bounds_of(scene.hulls[light], receivers);
+  add_floor(sight, scene.receivers, bounds);
+  return bounds;
+}
+
 bool gather_candidates(const ShadowScene& scene, std::uint32_t light, const Box& receivers,
                        const SeenLight& sight, std::size_t most, CandidateList& list,
                        std::uint64_t& tests) {
   list.clear();
   const WideTree& tree = scene.kernel->tree();
   if (tree.nodes.empty()) return false;
-  ShaftBounds bounds = bounds_of(scene.hulls[light], receivers);
-  add_floor(sight, scene.receivers, bounds);
   const auto add = [&](std::span<const Record> records, std::uint32_t first) {
     for (std::uint32_t i = 0; i < records.size(); ++i)
       if (records[i].casts_shadow) list.add(records[i], first + i);
     tests += records.size();
     return list.size() > most;
   };
-  return !walk(tree, bounds, add);
+  return !walk(tree, shaft_bounds(scene, light, receivers, sight), add);
 }
 
 }  // namespace penumbra

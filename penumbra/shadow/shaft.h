@@ -6,11 +6,17 @@
 #include <cstdint>
 #include <span>
 
+#include "penumbra/kernel/traverse.h"
 #include "penumbra/shadow/candidates.h"
 #include "penumbra/shadow/seen_light.h"
 #include "penumbra/shadow/shadow_scene.h"
 
 namespace penumbra {
+
+/// What holds every segment from a receiver to an active sample: the hull of the receivers' box and
+/// the light's, over the receivers' horizon. For `walk`.
+ShaftBounds shaft_bounds(const ShadowScene& scene, std::uint32_t light, const Box& receivers,
+                         const SeenLight& sight);
 
 /// Gathers the records that may block an active sample of the light for any of the receivers (which
 /// lie in the scene's box); `sight` is the light as they see it. False, and the list of no use, if

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/shadow/sheet.h"
 
+#include <utility>
+
 #include "penumbra/geometry/triangle_neighbors.h"
 
 namespace penumbra {
 namespace {
 
-/// Whether a triangle that lies across the edge from a to b has it from a to b, too, where those
-/// that turn the same way have it from b to a.
-bool turns_otherwise(const Record& triangle, Vec3f a, Vec3f b) {
+/// Whether a triangle has an edge from a to b. One that lies across such an edge of another, and
+/// turns the same way, has it from b to a.
+bool has_edge(const Record& triangle, Vec3f a, Vec3f b) {
   for (int k = 0; k < 3; ++k)
     if (triangle.vector(3 * k) == a && triangle.vector(3 * ((k + 1) % 3)) == b) return true;
   return false;
@@ -39,11 +41,32 @@ TriangleSheet::Neighbors TriangleSheet::neighbors(const ShapeSet& shapes,
         const std::uint32_t here = record_of[first + t], there = record_of[first + across[t][k]];
         if (!records[there].casts_shadow) continue;
         const Vec3f a = records[here].vector(3 * k), b = records[here].vector(3 * ((k + 1) % 3));
-        beside[here][k] = there | (turns_otherwise(records[there], a, b) ? turned : 0);
+        beside[here][k] = there | (has_edge(records[there], a, b) ? turned : 0);
       }
     first += across.size();
   }
   return beside;
+}
+
+bool TriangleSheet::fit(const Neighbors& neighbors, std::span<const Record> records) {
+  if (neighbors.empty()) return true;  // no triangles
+  for (std::size_t here = 0; here < records.size(); ++here)
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t bits = neighbors[here][k];
+      if (bits == no_record) continue;
+      const Record& there = records[bits & ~turned];
+      Vec3f a = records[here].vector(3 * k), b = records[here].vector(3 * ((k + 1) % 3));
+      if (!(bits & turned)) std::swap(a, b);
+      if (!has_edge(there, a, b)) return false;
+    }
+  return true;
+}
+
+bool TriangleSheet::fits(const RecordTable& records) const {
+  if (!fit(own_, records.own())) return false;
+  for (std::size_t i = 0; i < of_group_.size(); ++i)
+    if (!fit(of_group_[i], records.tree()->groups[i].records)) return false;
+  return true;
 }
 
 std::size_t TriangleSheet::memory_bytes() const {

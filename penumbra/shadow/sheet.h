@@ -31,6 +31,10 @@ class TriangleSheet {
   /// `records`: the kernel's, of these shapes. Groups are stored once. Cost: O(n log n).
   TriangleSheet(const ShapeSet& shapes, const RecordTable& records);
 
+  /// Whether it still holds for records that have moved (as many, in the same order): neighbours
+  /// share their edge as they did. False: a new one is needed. Cost: linear.
+  bool fits(const RecordTable& records) const;
+
   /// A record in the sheet, and whether its corners turn the other way than those of the record
   /// that the search began with.
   struct Member {
@@ -66,6 +70,7 @@ class TriangleSheet {
 
  private:
   static constexpr std::uint32_t turned = 0x80000000u;
+  static bool fit(const Neighbors& neighbors, std::span<const Record> records);
   static Neighbors neighbors(const ShapeSet& shapes, std::span<const Record> records);
   Neighbors own_;
   std::vector<Neighbors> of_group_;

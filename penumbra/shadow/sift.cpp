@@ -37,24 +37,24 @@ HWY_INLINE LaneVec load3(const Rows& rows, std::size_t row, std::size_t at) {
 
 // One test a kind: which lanes are missed, and which are covered.
 template <class Columns>
-HWY_INLINE Verdict test(const SightLanes& sight, const SphereRows& spheres, std::size_t at) {
+HWY_INLINE Verdict test(const SightLanes& sight, const SphereCandidates& spheres, std::size_t at) {
   return test_spheres(sight, load3<Columns>(spheres, 0, at), Columns::load(spheres, 3, at));
 }
 template <class Columns>
-HWY_INLINE Verdict test(const SightLanes& sight, const RingRows& rings, std::size_t at) {
+HWY_INLINE Verdict test(const SightLanes& sight, const RingCandidates& rings, std::size_t at) {
   return {rings_missed(sight, load3<Columns>(rings, 0, at), load3<Columns>(rings, 3, at),
                        Columns::load(rings, 6, at)),
           none()};
 }
 template <class Columns>
-HWY_INLINE Verdict test(const SightLanes& sight, const ConeRows& r, std::size_t at) {
+HWY_INLINE Verdict test(const SightLanes& sight, const ConeCandidates& r, std::size_t at) {
   return {cones_missed(sight,
                        {load3<Columns>(r, 0, at), load3<Columns>(r, 3, at), Columns::load(r, 6, at),
                         Columns::load(r, 7, at), Columns::load(r, 8, at)}),
           none()};
 }
 template <class Columns>
-HWY_INLINE Verdict test(const SightLanes& sight, const TriangleRows& r, std::size_t at) {
+HWY_INLINE Verdict test(const SightLanes& sight, const TriangleCandidates& r, std::size_t at) {
   return {triangles_missed(sight, {{load3<Columns>(r, 0, at), load3<Columns>(r, 3, at),
                                     load3<Columns>(r, 6, at)}}),
           none()};

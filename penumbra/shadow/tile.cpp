@@ -6,6 +6,7 @@
 
 #include "penumbra/kernel/kernel.h"
 #include "penumbra/shadow/cover.h"
+#include "penumbra/shadow/hull_proof.h"
 #include "penumbra/shadow/offset.h"
 #include "penumbra/shadow/shaft.h"
 #include "penumbra/shadow/spatial_order.h"
@@ -34,12 +35,15 @@ constexpr std::size_t worth_list = 14;
 /// samples on it is worth to be asked for a single receiver.
 constexpr std::size_t sheet_a_sample = 2, samples_worth_a_sheet = 128;
 
+/// The class of what is not sampled, where that is all that is wanted.
+constexpr Visibility unproven{0, 0, ShadowClass::penumbra};
+
 /// One tile; a class because all steps share these references.
 class Tile {
  public:
   Tile(const ShadowScene& scene, std::uint32_t light, std::span<const ShadowQuery> queries,
        OccluderQueue& queue, SampleScratch& samples, TileScratch& scratch, ShadowCounters& counters,
-       std::span<Visibility> answers)
+       const AnswerRows& answers)
       : scene_(scene),
         form_(scene.forms[light]),
         light_(light),
@@ -57,9 +61,9 @@ class Tile {
       const std::uint64_t bit = 1ull << i;
       // In doubt: p' in the light, far outside the scene, or no number.
       if (!(bits.certain & bit) && !((bits.near & bit) && is_outside_light(i)))
-        answers_[i] = by_packets(i, ShadowClass::penumbra);
+        answers_.put(i, by_packets(i, ShadowClass::penumbra), samples_);
       else if (bits.below & bit)
-        answers_[i] = {0, 0, ShadowClass::umbra};
+        answers_.put(i, {0, 0, ShadowClass::umbra}, samples_);
       else
         pending |= bit;
     }
@@ -72,6 +76,30 @@ class Tile {
     }
     keep_rows(pending, scratch_.rows);
     answer_group(0, row, nullptr, 0);
+  }
+
+  HullProof prove_all() {
+    const ReceiverBits bits = see_light(form_, queries_, scene_.receivers, scratch_.rows);
+    const std::uint64_t all = bits_below(queries_.size());
+    if ((bits.certain & all) != all) return {};
+    if ((bits.below & all) == all) return {ShadowClass::umbra, false};
+    above_ = bits.above;
+    const ReceiverGroup receivers = group(0, queries_.size());
+    const SeenLight sight = seen_by_all(form_, receivers);
+    // Between the corners, too, receivers must lie outside the light.
+    const float apart = (sight.size + sight.receiver_radius) * (1 + 0x1p-20f) + 8 * sight.doubt;
+    if (!(sight.distance > apart)) return {};
+    ++counters_.set_rays;
+    if (gather_candidates(scene_, light_, receivers.bounds(), sight, CandidateList::most,
+                          gathered(), counters_.set_tests)) {
+      CandidateList& list = scratch_.list[TileScratch::of_groups];
+      if (sift_for_all(gathered(), sight, list) != no_record)
+        return {ShadowClass::umbra, receivers.are_above};
+      if (list.size() == 0) return {ShadowClass::lit, receivers.are_above};
+      if (list.triangles.count == 0) return {ShadowClass::penumbra, receivers.are_above};
+    }
+    const bool is_umbra = !scene_.sheet->is_empty() && is_behind_sheet(sight, ReceiverRows::most);
+    return {is_umbra ? ShadowClass::umbra : ShadowClass::penumbra, receivers.are_above};
   }
 
  private:
@@ -100,7 +128,7 @@ class Tile {
       if (list->size() == 0) return all_are(first, count, ShadowClass::lit);
     }
     // Without triangles there are no sheets.
-    const bool may_have_sheet = !scene_.sheet.is_empty() && !(list && list->triangles.count == 0);
+    const bool may_have_sheet = !scene_.sheet->is_empty() && !(list && list->triangles.count == 0);
     if (may_have_sheet && tries_sheet(sight, count))
       return all_are(first, count, ShadowClass::umbra);
     if (list && list->size() <= listed) return answer_each(receivers, *list);
@@ -132,20 +160,22 @@ class Tile {
     for (std::size_t i = 0; i < receivers.count; ++i) {
       const std::size_t row = receivers.first + i;
       if (sifted.covered >> i & 1) {
-        answer_at(row) = proven(row, ShadowClass::umbra);
+        put(row, proven(row, ShadowClass::umbra));
       } else if (!(sifted.kept >> i & 1)) {
-        answer_at(row) = proven(row, ShadowClass::lit);
+        put(row, proven(row, ShadowClass::lit));
       } else {
         std::vector<std::uint32_t>& records = scratch_.sifted.record;
         records.clear();
         for (const SiftedRows::Candidate& candidate : sifted.candidate)
           if (candidate.kept >> i & 1) records.push_back(candidate.record);
-        answer_at(row) = by_records(row);
+        put(row, by_records(row));
       }
     }
   }
 
-  Visibility& answer_at(std::size_t row) { return answers_[scratch_.query[row]]; }
+  void put(std::size_t row, const Visibility& answer) {
+    answers_.put(scratch_.query[row], answer, samples_);
+  }
 
   bool tries_sheet(const SeenLight& sight, std::size_t receivers) {
     Backoff& backoff = queue_.sheet[level_of(receivers)];
@@ -160,8 +190,7 @@ class Tile {
 
   /// A proof for all of a group. Where a light straddles the horizon, samples have a say still.
   void all_are(std::size_t first, std::size_t count, ShadowClass shadow_class) {
-    for (std::size_t row = first; row < first + count; ++row)
-      answer_at(row) = proven(row, shadow_class);
+    for (std::size_t row = first; row < first + count; ++row) put(row, proven(row, shadow_class));
   }
 
   Visibility proven(std::size_t row, ShadowClass shadow_class) {
@@ -177,20 +206,21 @@ class Tile {
     const bool is_gathered = !list && gather(group(row, 1), seen, most_of_one);
     if (is_gathered) list = &gathered();
     const bool may_have_sheet =
-        !scene_.sheet.is_empty() && samples_.pattern.size() >= samples_worth_a_sheet;
+        !scene_.sheet->is_empty() && (samples_.pattern.size() >= samples_worth_a_sheet ||
+                                      answers_.wanted == Wanted::shadow_class);
     if (!list) {
       const bool is_umbra = may_have_sheet && tries_sheet(seen, 1);
-      return void(answer_at(row) = is_umbra ? proven(row, ShadowClass::umbra)
-                                            : by_packets(scratch_.query[row], ShadowClass::umbra));
+      return put(row, is_umbra ? proven(row, ShadowClass::umbra)
+                               : by_packets(scratch_.query[row], ShadowClass::umbra));
     }
     sift(*list, seen, scratch_.sifted);
     if (is_gathered) queue_.list[level_of(1)].note(scratch_.sifted.record.size() <= worth_list);
     if (scratch_.sifted.cover != no_record)
-      answer_at(row) = proven(row, ShadowClass::umbra);
+      put(row, proven(row, ShadowClass::umbra));
     else if (scratch_.sifted.record.empty())
-      answer_at(row) = proven(row, ShadowClass::lit);
+      put(row, proven(row, ShadowClass::lit));
     else
-      answer_at(row) = by_records(row);
+      put(row, by_records(row));
   }
 
   /// Takes the samples of query i; returns whether any is above the horizon.
@@ -228,8 +258,12 @@ class Tile {
   Visibility by_records(std::size_t row) {
     const ShadowClass proof = look_closely(row);
     if (proof != ShadowClass::penumbra) return proven(row, proof);
+    if (answers_.wanted == Wanted::shadow_class && !scene_.sheet->is_empty() &&
+        is_behind_sheet(seen_by_one(form_, scratch_.rows, row), 1))
+      return proven(row, ShadowClass::umbra);
     if (!take(scratch_.query[row])) return {0, 0, ShadowClass::umbra};
     counters_.count(ShadowClass::penumbra);
+    if (answers_.wanted == Wanted::shadow_class) return unproven;
     std::vector<std::uint32_t>& records = scratch_.sifted.record;
     const auto last = std::find(records.begin(), records.end(), queue_.record[0]);
     if (last != records.end()) std::iter_swap(last, records.begin());
@@ -258,6 +292,7 @@ class Tile {
   Visibility by_packets(std::size_t i, ShadowClass unseen) {
     if (!take(i)) return {0, 0, unseen};
     counters_.count(ShadowClass::penumbra);
+    if (answers_.wanted == Wanted::shadow_class) return unproven;
     return summed(ShadowClass::penumbra,
                   trace_samples(*scene_.kernel, queue_, samples_, counters_));
   }
@@ -281,7 +316,7 @@ class Tile {
   SampleScratch& samples_;
   TileScratch& scratch_;
   ShadowCounters& counters_;
-  std::span<Visibility> answers_;
+  AnswerRows answers_;
   std::uint64_t above_ = 0;  // rows that see the whole light above their horizon
 };
 
@@ -321,7 +356,7 @@ bool Tile::is_behind_sheet(const SeenLight& sight, std::size_t receivers) {
   const auto most = static_cast<std::uint32_t>(std::min<std::size_t>(
       sheet_a_sample * samples_.pattern.size() * receivers, SheetScratch::most));
   const auto covers = [&](std::uint32_t start) {
-    return sheet_covers(scene_.sheet, kernel.records(), sight, start, most, scratch_.sheet,
+    return sheet_covers(*scene_.sheet, kernel.records(), sight, start, most, scratch_.sheet,
                         counters_.set_tests);
   };
   if (covers(nearest)) return true;
@@ -334,13 +369,13 @@ bool Tile::is_behind_sheet(const SeenLight& sight, std::size_t receivers) {
 void answer_by_tiles(const ShadowScene& scene, std::uint32_t light,
                      std::span<const ShadowQuery> queries, OccluderQueue& queue,
                      SampleScratch& samples, TileScratch& scratch, ShadowCounters& counters,
-                     std::span<Visibility> answers) {
+                     const AnswerRows& answers) {
   constexpr std::size_t most = ReceiverRows::most;
-  const auto answer = [&](std::span<const ShadowQuery> from, std::span<Visibility> to) {
+  const auto answer = [&](std::span<const ShadowQuery> from, const AnswerRows& to) {
     for (std::size_t first = 0; first < from.size(); first += most) {
       const std::size_t count = std::min(most, from.size() - first);
       Tile(scene, light, from.subspan(first, count), queue, samples, scratch, counters,
-           to.subspan(first, count))
+           to.part(first, count))
           .answer();
     }
   };
@@ -348,9 +383,25 @@ void answer_by_tiles(const ShadowScene& scene, std::uint32_t light,
   order_in_space(queries, scratch.order);
   scratch.ordered.clear();
   for (const std::uint32_t i : scratch.order) scratch.ordered.push_back(queries[i]);
+  AnswerRows ordered = answers;
   scratch.answers.resize(queries.size());
-  answer(scratch.ordered, scratch.answers);
-  for (std::size_t i = 0; i < queries.size(); ++i) answers[scratch.order[i]] = scratch.answers[i];
+  scratch.free_samples.resize(answers.free_samples.size());
+  ordered.seen = scratch.answers, ordered.free_samples = scratch.free_samples;
+  answer(scratch.ordered, ordered);
+  for (std::size_t i = 0; i < queries.size(); ++i) answers.copy(scratch.order[i], ordered, i);
+}
+
+HullProof prove_hull(const ShadowScene& scene, std::uint32_t light,
+                     std::span<const Receiver> corners, OccluderQueue& queue,
+                     VisibilityScratch& scratch, ShadowCounters& counters) {
+  if (scene.method != Method::shaft || is_point(scene.lights[light]) || corners.empty() ||
+      corners.size() > ReceiverRows::most)
+    return {};
+  std::array<ShadowQuery, ReceiverRows::most> queries;
+  for (std::size_t i = 0; i < corners.size(); ++i) queries[i] = {corners[i]};
+  return Tile(scene, light, std::span(queries).first(corners.size()), queue, scratch.samples,
+              scratch.tile, counters, {})
+      .prove_all();
 }
 
 }  // namespace penumbra

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "penumbra/shadow/answer_rows.h"
 #include "penumbra/shadow/candidates.h"
 #include "penumbra/shadow/occluder_cache.h"
 #include "penumbra/shadow/samples.h"
@@ -40,6 +41,7 @@ struct TileScratch {
   std::vector<std::uint32_t> order;
   std::vector<ShadowQuery> ordered;
   std::vector<Visibility> answers;
+  std::vector<std::uint32_t> free_samples;
 };
 
 /// `visibilities` by Method::shaft, for lights with an extent. Runs of queries share a shaft; where
@@ -47,6 +49,6 @@ struct TileScratch {
 void answer_by_tiles(const ShadowScene& scene, std::uint32_t light,
                      std::span<const ShadowQuery> queries, OccluderQueue& queue,
                      SampleScratch& samples, TileScratch& scratch, ShadowCounters& counters,
-                     std::span<Visibility> answers);
+                     const AnswerRows& answers);
 
 }  // namespace penumbra

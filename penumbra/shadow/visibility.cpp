@@ -16,6 +16,7 @@ namespace {
 
 /// All samples are sure to be above the horizon, in float too, however they will be rounded.
 bool is_surely_above(const LightHull& light, const Receiver& receiver) {
+  if (!receiver.has_horizon()) return true;
   const double distance = length(light.center(receiver.position) - Vec3d(receiver.position));
   const bool is_safe = distance > 1e-15 && distance < 1e15;  // squares stay in float's range
   return is_safe && light.least_height(receiver.position, Vec3d(receiver.normal)) > 0;
@@ -71,14 +72,14 @@ Visibility visibility(const ShadowScene& scene, std::uint32_t light, const Recei
 
 void visibilities(const ShadowScene& scene, std::uint32_t light,
                   std::span<const ShadowQuery> queries, OccluderQueue& queue,
-                  VisibilityScratch& scratch, ShadowCounters& counters,
-                  std::span<Visibility> seen) {
+                  VisibilityScratch& scratch, ShadowCounters& counters, const AnswerRows& answers) {
   if (scene.method == Method::shaft && !is_point(scene.lights[light]))
     return answer_by_tiles(scene, light, queries, queue, scratch.samples, scratch.tile, counters,
-                           seen);
+                           answers);
   const ProofBudget budget = proof_budget(scratch.samples.pattern.size());
   for (std::size_t i = 0; i < queries.size(); ++i)
-    seen[i] = answer(scene, light, queries[i], budget, queue, scratch.samples, counters);
+    answers.put(i, answer(scene, light, queries[i], budget, queue, scratch.samples, counters),
+                scratch.samples);
 }
 
 }  // namespace penumbra

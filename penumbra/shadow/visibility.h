@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "penumbra/shadow/answer_rows.h"
 #include "penumbra/shadow/occluder_cache.h"
 #include "penumbra/shadow/samples.h"
 #include "penumbra/shadow/shadow_query.h"
@@ -30,9 +31,15 @@ Visibility visibility(const ShadowScene& scene, std::uint32_t light, const Recei
                       std::uint64_t key, OccluderQueue& queue, VisibilityScratch& scratch,
                       ShadowCounters& counters);
 
-/// The same for many receivers, best near one another: `seen[i]` answers `queries[i]`.
+/// The same for many receivers, best near one another: row i answers `queries[i]`.
 void visibilities(const ShadowScene& scene, std::uint32_t light,
                   std::span<const ShadowQuery> queries, OccluderQueue& queue,
-                  VisibilityScratch& scratch, ShadowCounters& counters, std::span<Visibility> seen);
+                  VisibilityScratch& scratch, ShadowCounters& counters, const AnswerRows& answers);
+inline void visibilities(const ShadowScene& scene, std::uint32_t light,
+                         std::span<const ShadowQuery> queries, OccluderQueue& queue,
+                         VisibilityScratch& scratch, ShadowCounters& counters,
+                         std::span<Visibility> seen) {
+  visibilities(scene, light, queries, queue, scratch, counters, AnswerRows{seen});
+}
 
 }  // namespace penumbra

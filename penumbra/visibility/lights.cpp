@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/visibility/lights.h"
 
-#include <cmath>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -14,13 +13,6 @@
 #include "penumbra/scene/error.h"
 
 namespace penumbra {
-namespace {
-
-/// What has unit length to float precision keeps its bits.
-Vec3f unit(Vec3f v) { return std::abs(length_squared(Vec3d(v)) - 1) < 1e-6 ? v : normalize(v); }
-
-}  // namespace
-
 PolygonLight polygon_light(std::span<const Vec3f> corners) {
   PolygonLight light{{}, {corners.begin(), corners.end()}};
   if (!corners.empty()) light.center = area_centroid(corners);

@@ -34,6 +34,8 @@
 
 namespace penumbra {
 
+struct GeometryRows;
+
 // Handles: numbers from 0, in the order of adding, of each kind by itself.
 struct GeometryId {
   std::uint32_t index = 0;
@@ -75,8 +77,10 @@ struct Points {
 struct AskOptions {
   std::uint32_t shadow_samples = 32;  ///< d, 1 to 65536
   Method method = Method::shaft;      ///< or stochastic, the judge; the others are the renderer's
-  std::uint32_t light_index = 0;      ///< which light of several this is: another, other samples
-  std::uint32_t threads = 0;          ///< 0: all cores. Answers are the same for any number
+  /// Which light of several this is: another, other samples. None: the points' keys are final, as
+  /// `light_key` gives them.
+  std::optional<std::uint32_t> light_index = 0;
+  std::uint32_t threads = 0;  ///< 0: all cores. Answers are the same for any number
   /// Called with the finished share in [0, 1], from any thread, one call at a time. False ends the
   /// call with `Cancelled`.
   std::function<bool(double)> progress{};
@@ -111,7 +115,7 @@ struct CommitReport {
 
 /// What blocks light. Arrays that are handed over are not copied: they are read, in place, by every
 /// `commit`, and must be there, and not change, while one runs; between commits they may change as
-/// they like (say so by `update`). Lights and points may lie anywhere, inside of solids too.
+/// they like. Lights and points may lie anywhere, inside of solids too.
 class Occluders {
  public:
   Occluders();
@@ -129,8 +133,9 @@ class Occluders {
   /// Equal radii make cylinders.
   GeometryId add_cones(VectorRows bases, VectorRows apexes, NumberRows base_radii,
                        NumberRows apex_radii, Caps caps = Caps::capped);
-  /// Flat disks. Normals need not be unit.
-  GeometryId add_disks(VectorRows centers, VectorRows normals, NumberRows radii);
+  /// Flat disks, or rings where inner radii >= 0 are given. Normals need not be unit.
+  GeometryId add_disks(VectorRows centers, VectorRows normals, NumberRows radii,
+                       NumberRows inner_radii = {});
 
   /// The geometry of another, for instances to place: stored once however often it stands in the
   /// scene. It is taken as it is now (its arrays are read by commits of this); it must have no
@@ -140,14 +145,16 @@ class Occluders {
   /// under similarities alone.
   InstanceId add_instance(GroupId group, const Transform& placement);
 
-  /// The arrays of a geometry hold other positions now (radii, normals as well); what was handed
-  /// over is read again by the next commit.
-  void update(GeometryId geometry);
-  /// The same for positions (centres) that are elsewhere now; as many as before.
+  // What the arrays hold may change between commits: the next one reads them again. These give
+  // other arrays, of as many rows, or other placements.
+
+  /// Positions of triangles' vertices, centres of spheres and disks, bases of cones.
   void update(GeometryId geometry, VectorRows positions);
+  void update(GroupId group, GeometryId geometry, VectorRows positions);
   void update(InstanceId instance, const Transform& placement);
-  /// The same, for the geometry of a group.
-  void update(GroupId group, GeometryId geometry);
+
+  /// Something that the arrays lie in, to live as long as this.
+  void keep(std::shared_ptr<const void> owner);
 
   /// Takes out what was added. Its number is not given again, and naming it is an error from then
   /// on; a group must not be placed any more.
@@ -199,6 +206,7 @@ class Occluders {
 
  private:
   struct Data;
+  GeometryId add(const GeometryRows& rows);
   std::unique_ptr<Data> data_;
 };
 

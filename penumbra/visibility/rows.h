@@ -21,6 +21,11 @@ class Rows {
 
  public:
   Rows() = default;
+  /// One row after the other: a span, a vector, an array.
+  template <class Range>
+  requires std::is_convertible_v<const Range&, std::span<const Row>> Rows(
+      const Range& rows)  // NOLINT: a view
+      : Rows(std::span<const Row>(rows)) {}
   Rows(std::span<const Row> rows) : Rows(rows.data(), rows.size()) {}  // NOLINT: a view
   /// `stride` in bytes, of any sign; 0 repeats the first row.
   Rows(const void* first, std::size_t count, std::ptrdiff_t stride = sizeof(Row))

@@ -117,6 +117,9 @@ inline std::vector<Receiver> random_receivers(const RandomScene& scene, const Ke
   if (random.one_in(4))
     for (std::uint32_t i = count; i > 1; --i)
       std::swap(receivers[i - 1], receivers[random.below(i)]);
+  if (random.one_in(4))  // some, or all, look around
+    for (Receiver& receiver : receivers)
+      if (random.one_in(2)) receiver.normal = {};
   return receivers;
 }
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // shadow_fuzz [SECONDS [SEED]]: random scenes, all methods against brute force, bit for bit, for as
 // long as it is given. A failure names the seed that repeats it alone (SECONDS 0).
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <vector>
 
+#include "penumbra/shadow/hull_proof.h"
 #include "tests/shadow/random_scene.h"
 
 namespace penumbra {
@@ -14,10 +17,22 @@ namespace {
 struct Tally {
   std::uint64_t scenes = 0, queries = 0;
   ShadowCounters by_sets, by_shafts;
+  std::uint64_t hulls[3] = {};  ///< by class
 };
 
 bool same(const Visibility& a, const Visibility& b) {
   return a.cosine_weighted == b.cosine_weighted && a.fraction == b.fraction;
+}
+
+/// Where no sample is blocked, the weighted fraction is 1; or there is none above the horizon.
+bool is_true(ShadowClass proven, const Visibility& truth) {
+  switch (proven) {
+    case ShadowClass::lit:
+      return truth.cosine_weighted == 1 || truth.cosine_weighted == truth.fraction;
+    case ShadowClass::umbra: return truth.fraction == 0;
+    case ShadowClass::penumbra: break;
+  }
+  return true;
 }
 
 std::uint64_t queries_of(const ShadowCounters& counters) {
@@ -48,6 +63,7 @@ class Contest {
     if (!agrees(Method::shaft, queries_.size(), tally.by_shafts)) return false;
     const std::uint32_t batch = 1 + random_.below(100);
     if (!agrees(Method::shaft, batch, tally.by_shafts)) return false;
+    if (!has_same_samples() || !is_right_of_hulls(tally)) return false;
     ++tally.scenes, tally.queries += queries_.size() * scene_.lights.size();
     return true;
   }
@@ -88,6 +104,93 @@ class Contest {
     return false;
   }
 
+  /// The same samples are free as those of the judge, and classes are true where they alone are
+  /// wanted. By the shaft method, its scenes made light by light.
+  bool has_same_samples() {
+    const ShadowScene base =
+        prepare_shadows(wide_, scene_.shapes, scene_.options, {}, Method::shaft);
+    const std::uint32_t d = scratch_.samples.pattern.size();
+    const std::size_t words = (d + 31) / 32, count = queries_.size();
+    std::vector<Visibility> seen(count), classes(count);
+    std::vector<std::uint32_t> free(count * words), truth(count * words);
+    const auto ask = [&](const ShadowScene& scene, std::uint32_t light, const AnswerRows& rows) {
+      OccluderQueue queue;
+      ShadowCounters counters;
+      visibilities(scene, light, queries_, queue, scratch_, counters, rows);
+    };
+    for (std::uint32_t light = 0; light < scene_.lights.size(); ++light) {
+      const ShadowScene one = with_light(base, scene_.lights[light], Method::shaft, {});
+      ask(judge_, light, {.seen = seen, .free_samples = truth, .shadow_samples = d});
+      ask(one, 0, {.seen = seen, .free_samples = free, .shadow_samples = d});
+      ask(one, 0, {.seen = classes, .wanted = Wanted::shadow_class});
+      for (std::size_t i = 0; i < count; ++i)
+        if (const Visibility& one_truth = truth_[light * count + i];
+            !same(seen[i], one_truth) || !is_true(classes[i].shadow_class, one_truth))
+          return differs(Method::shaft, 0, light, i, classes[i]);
+      if (free != truth) return differs(Method::shaft, 0, light, 0, seen[0]);
+    }
+    return true;
+  }
+
+  /// What is proven of the hull of some receivers holds for points in it.
+  bool is_right_of_hulls(Tally& tally) {
+    const ShadowScene shadows =
+        prepare_shadows(wide_, scene_.shapes, scene_.options, scene_.lights, Method::shaft);
+    const std::size_t first = random_.below(static_cast<std::uint32_t>(queries_.size()));
+    const std::size_t most = std::min<std::size_t>(queries_.size() - first, 1 + random_.below(64));
+    std::vector<Receiver> corners;
+    const float spread = random_.power(-6, 0);
+    const bool has_horizon = random_.one_in(2);
+    for (std::size_t i = first; i < first + most; ++i) {
+      const Receiver &at = queries_[first].receiver, &other = queries_[i].receiver;
+      corners.push_back({at.position + (other.position - at.position) * spread,
+                         has_horizon ? at.normal : Vec3f{}});
+    }
+    for (std::uint32_t light = 0; light < scene_.lights.size(); ++light) {
+      OccluderQueue queue;
+      ShadowCounters counters;
+      const HullProof proof = prove_hull(shadows, light, corners, queue, scratch_, counters);
+      ++tally.hulls[static_cast<int>(proof.shadow_class)];
+      if (proof.shadow_class == ShadowClass::penumbra) continue;
+      for (int k = 0; k < 8; ++k)
+        if (!holds_for(proof, light, point_in(corners))) return false;
+    }
+    return true;
+  }
+
+  /// Of their hull; often a corner, or on an edge.
+  Receiver point_in(const std::vector<Receiver>& corners) {
+    Receiver inside = corners[random_.below(static_cast<std::uint32_t>(corners.size()))];
+    for (std::uint32_t k = 0, steps = random_.below(4); k < steps; ++k) {
+      const Receiver& to = corners[random_.below(static_cast<std::uint32_t>(corners.size()))];
+      const float t = random_.uniform(0, 1);
+      inside.position = inside.position * (1 - t) + to.position * t;
+    }
+    return inside;
+  }
+
+  bool holds_for(const HullProof& proof, std::uint32_t light, const Receiver& receiver) {
+    OccluderQueue none;
+    take_samples(judge_, light, receiver, 7, scratch_.samples);
+    const std::vector<std::uint32_t> active = scratch_.samples.active;
+    const Visibility truth =
+        visibility(judge_, light, receiver, 7, none, scratch_, asked_in_hulls_);
+    bool is_free = true;  // all active samples
+    for (std::size_t word = 0; word < active.size() && truth.fraction > 0; ++word)
+      is_free &= (active[word] & scratch_.samples.blocked[word]) == 0;
+    const bool is_none_active =
+        std::all_of(active.begin(), active.end(), [](std::uint32_t bits) { return bits == 0; });
+    const bool holds = proof.shadow_class == ShadowClass::umbra
+                           ? truth.fraction == 0
+                           : (is_none_active || (truth.fraction > 0 && is_free));
+    if (holds && !(proof.is_above && proof.shadow_class == ShadowClass::lit && truth.fraction < 1))
+      return true;
+    std::fprintf(stderr, "seed %llu, light %u: a hull of class %d has a point of fraction %.9g\n",
+                 static_cast<unsigned long long>(seed_), light,
+                 static_cast<int>(proof.shadow_class), double(truth.fraction));
+    return false;
+  }
+
   bool differs(Method method, std::size_t batch, std::uint32_t light, std::size_t point,
                const Visibility& seen) const {
     const Visibility& truth = truth_[light * queries_.size() + point];
@@ -109,7 +212,7 @@ class Contest {
   VisibilityScratch scratch_;
   std::vector<ShadowQuery> queries_;
   std::vector<Visibility> truth_;  // light by light
-  ShadowCounters asked_;
+  ShadowCounters asked_, asked_in_hulls_;
 };
 
 void print(const char* who, const ShadowCounters& counters) {
@@ -135,5 +238,9 @@ int main(int argc, char** argv) {
               static_cast<unsigned long long>(tally.queries));
   penumbra::print("three methods by shadow sets", tally.by_sets);
   penumbra::print("shafts, twice", tally.by_shafts);
+  std::printf("hulls: %llu lit, %llu umbra, %llu penumbra\n",
+              static_cast<unsigned long long>(tally.hulls[0]),
+              static_cast<unsigned long long>(tally.hulls[2]),
+              static_cast<unsigned long long>(tally.hulls[1]));
   return 0;
 }

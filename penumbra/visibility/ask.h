@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Many questions about one light, over all cores.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "penumbra/geometry/light_shape.h"
+#include "penumbra/shadow/shadow_query.h"
+#include "penumbra/visibility/committed.h"
+#include "penumbra/visibility/occluders.h"
+
+namespace penumbra {
+
+/// Where answers go, one row a point: each of these that is not empty is filled. For classes alone
+/// no sample is traced.
+struct Answers {
+  std::span<Visibility> visibility{};
+  std::span<float> fraction{};
+  std::span<ShadowClass> shadow_class{};
+  std::span<std::uint32_t> free_samples{};  ///< ceil(d / 32) words a point
+};
+
+/// Answers of what was committed. Throws Error where rows are not as many as points. Blocks of
+/// points of fixed size are answered each by itself, so that no answer depends on the number of
+/// threads. Throws Error for arguments that cannot be meant, before anything is written, and
+/// Cancelled.
+ShadowCounters ask(const Committed& occluders, const Points& points, const LightShape& light,
+                   const AskOptions& options, const Answers& answers);
+
+/// Throws Error where they cannot be meant; the light becomes what the questions need.
+LightShape checked_light(const Committed& occluders, LightShape light);
+
+/// Throws Error for a number of samples that cannot be meant.
+void require_samples(std::uint32_t shadow_samples);
+
+/// By which points are moved unless the caller says how far.
+float automatic_offset(const Committed& occluders, Vec3f position);
+
+}  // namespace penumbra

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// What was committed: never changes, so that questions may be asked of it from any thread.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "penumbra/geometry/box.h"
+#include "penumbra/kernel/kernel.h"
+#include "penumbra/shadow/shadow_scene.h"
+#include "penumbra/visibility/gather.h"
+
+namespace penumbra {
+
+struct Committed {
+  Kernel kernel;
+  ShadowScene shadows;  ///< for `shaft`, without lights; refers to the kernel
+  OccluderNames names;
+
+  std::size_t memory_bytes() const { return kernel.memory_bytes() + shadows.memory_bytes(); }
+};
+
+/// Cost: O(n log n) over all cores.
+std::shared_ptr<const Committed> build(GatheredShapes gathered);
+
+/// The same for shapes that have moved since `before`, in linear time; null where something else
+/// has changed.
+std::shared_ptr<const Committed> refitted(const Committed& before, GatheredShapes& gathered);
+
+}  // namespace penumbra
