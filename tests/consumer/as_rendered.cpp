@@ -45,8 +45,7 @@ Occluders hand_over(const ShapeSet& shapes) {
   if (!shapes.rings.empty())
     occluders.add_disks(rows(shapes.rings, &Ring::center), rows(shapes.rings, &Ring::normal),
                         rows(shapes.rings, &Ring::radius), rows(shapes.rings, &Ring::inner_radius));
-  for (const Mesh& mesh : shapes.meshes)
-    occluders.add_triangles(std::span(mesh.positions), std::span(mesh.triangles));
+  for (const Mesh& mesh : shapes.meshes) occluders.add_triangles(mesh.positions, mesh.triangles);
   occluders.commit();
   return occluders;
 }
@@ -70,7 +69,7 @@ std::size_t count_differing(const Occluders& occluders, const Renderer& renderer
       {.positions = VectorRows(&first.position, count, sizeof(Asked)),
        .normals = VectorRows(&first.normal, count, sizeof(Asked)),
        .offset = 0,
-       .keys = std::span<const std::uint64_t>(keys)},
+       .keys = keys},
       renderer.scene().lights[together.light].shape,
       {.shadow_samples = options.shadow_samples, .light_index = together.light});
   std::size_t differing = 0;

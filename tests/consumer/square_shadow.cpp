@@ -3,6 +3,7 @@
 #include <penumbra/penumbra.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <vector>
@@ -11,12 +12,12 @@ int main() {
   const std::vector<penumbra::Vec3f> corners = {{-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}};
   const std::vector<std::array<std::uint32_t, 3>> triangles = {{0, 1, 2}, {0, 2, 3}};
   penumbra::Occluders occluders;
-  occluders.add_triangles(std::span(corners), std::span(triangles));
+  occluders.add_triangles(corners, triangles);
   occluders.commit();
 
   const penumbra::BallLight light{{0, 9, 0}, 0.5f};
   const std::vector<penumbra::Vec3f> points = {{0, 0, 0}, {1.1f, 0, 0}, {5, 0, 0}};
-  const penumbra::Points asking{.positions = std::span(points)};
+  const penumbra::Points asking{.positions = points};
   const std::vector<penumbra::ShadowClass> classes = occluders.classify(asking, light);
   const std::vector<float> seen = occluders.visible_fraction(asking, light);
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -24,7 +25,7 @@ int main() {
 
   // Errors cross the library's border.
   try {
-    penumbra::polygon_light(std::span(corners).first(2));
+    penumbra::polygon_light({corners.data(), 2});
   } catch (const penumbra::Error& error) {
     std::printf("refused: %s\n", error.what());
   }
