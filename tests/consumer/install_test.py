@@ -41,7 +41,7 @@ class InstallTest(unittest.TestCase):
         umbra, soft, lit, refused = printed.splitlines()
         self.assertEqual((umbra, lit), ("2 0", "0 1"))
         self.assertRegex(soft, r"^1 0\.\d+$")
-        self.assertRegex(refused, "^refused: .*polygon")
+        self.assertRegex(refused, "^refused: .*fewer than 3 corners")
 
     def test_a_cmake_project_finds_it_and_gets_the_fractions_of_the_renderer(self):
         build = self.folder / "consumer"
