@@ -47,5 +47,6 @@ if(PROJECT_IS_TOP_LEVEL)
 
   # All of the above and no tests: `cmake --build build --target installable`.
   add_custom_target(installable DEPENDS
-    penumbra_app penumbra_manual penumbra_shared_visibility penumbra_shared_render)
+    penumbra_app penumbra_manual penumbra_shared_visibility penumbra_shared_render
+    $<TARGET_NAME_IF_EXISTS:penumbra_python>)
 endif()
