@@ -231,6 +231,35 @@ std::string parse_output(std::string_view text,
   throw UsageError("expected a name that ends in " + known);
 }
 
+PointFormat parse_point_format(std::string_view text) {
+  static constexpr std::array formats = {Choice<PointFormat>{"csv", PointFormat::csv},
+                                         Choice<PointFormat>{"ply", PointFormat::ply},
+                                         Choice<PointFormat>{"npy", PointFormat::npy},
+                                         Choice<PointFormat>{"float", PointFormat::float32},
+                                         Choice<PointFormat>{"double", PointFormat::float64}};
+  return choose<PointFormat>(text, formats);
+}
+
+AnswerFormat parse_answer_format(std::string_view text) {
+  static constexpr std::array formats = {Choice<AnswerFormat>{"csv", AnswerFormat::csv},
+                                         Choice<AnswerFormat>{"ascii", AnswerFormat::ascii},
+                                         Choice<AnswerFormat>{"npy", AnswerFormat::npy},
+                                         Choice<AnswerFormat>{"ply", AnswerFormat::ply},
+                                         Choice<AnswerFormat>{"float", AnswerFormat::float32},
+                                         Choice<AnswerFormat>{"double", AnswerFormat::float64}};
+  return choose<AnswerFormat>(text, formats);
+}
+
+void check_files_differ(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty() || a == "-" || b == "-") return;
+  std::error_code ignored;
+  const auto same = std::filesystem::weakly_canonical(a, ignored) ==
+                    std::filesystem::weakly_canonical(b, ignored);
+  if (same || std::filesystem::equivalent(a, b, ignored))
+    throw UsageError(
+        fmt::format("{} and {} are the same file; give the output another name", a, b));
+}
+
 CLI::Option* add_parsed(CLI::App& command, const std::string& names, const std::string& value,
                         const std::string& help,
                         const std::function<void(const std::string&)>& parse) {

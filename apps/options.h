@@ -14,7 +14,9 @@
 
 #include "penumbra/kernel/embree_baseline.h"
 #include "penumbra/scene/complete_scene.h"
+#include "penumbra/scene_io/read_points.h"
 #include "penumbra/scene_io/read_scene.h"
+#include "penumbra/scene_io/write_answers.h"
 #include "penumbra/trace/render.h"
 
 namespace CLI {
@@ -76,6 +78,14 @@ bool has_extension(std::string_view name, std::string_view extension);
 
 /// A name that ends in one of these extensions.
 std::string parse_output(std::string_view text, std::initializer_list<std::string_view> extensions);
+
+/// csv, ply, npy, float or double.
+PointFormat parse_point_format(std::string_view text);
+/// csv, ascii, npy, ply, float or double.
+AnswerFormat parse_answer_format(std::string_view text);
+
+/// One file for two purposes would end as neither. Empty names and `-` are none.
+void check_files_differ(const std::string& a, const std::string& b);
 
 /// Adds an option whose text goes to `parse`, with the option's name put before what it throws.
 CLI::Option* add_parsed(CLI::App& command, const std::string& names, const std::string& value,

@@ -49,6 +49,10 @@ void add_scene_options(CLI::App& command, SceneWishes& w) {
       [&w](Text text) { w.complete.ambient = parse_color(text); });
   add("--background", "r,g,b", "Colour where nothing is hit",
       [&w](Text text) { w.complete.background = parse_color(text); });
+  add_light_options(command, w);
+}
+
+void add_light_options(CLI::App& command, SceneWishes& w) {
   command
       .add_option("--light", w.light_words,
                   "Add a light, see below; the first one replaces the file's")
@@ -57,6 +61,13 @@ void add_scene_options(CLI::App& command, SceneWishes& w) {
   command.add_flag("--clear-glass", w.complete.clear_glass, "Transparent things cast no shadow")
       ->group("Shadows");
   add_read_options(command, w.read);
+}
+
+void add_light_radius_option(CLI::App& command, SceneWishes& w) {
+  add_parsed(command, "--light-radius", "R",
+             "Make point and ball lights balls of this radius; N% of the extent",
+             [&w](const std::string& text) { w.complete.light_radius = parse_light_radius(text); })
+      ->group("Shadows");
 }
 
 void add_ray_options(CLI::App& command, RenderOptions& o) {
@@ -70,9 +81,15 @@ void add_ray_options(CLI::App& command, RenderOptions& o) {
       "One ray goes through a pixel's upper left corner, as in the SPD, not its centre");
   add_parsed(command, "--depth", "N", "Longest path of mirrors and glass (default 5)",
              [&o](Text text) { o.depth = static_cast<std::uint32_t>(parse_count(text, 1, 64)); });
-  add_parsed(command, "--seed", "N", "Of the random numbers (default 0)", [&o](Text text) {
-    o.seed = parse_count(text, 0, std::numeric_limits<std::uint64_t>::max());
-  })->group("Shadows");
+  add_seed_option(command, o.seed);
+}
+
+void add_seed_option(CLI::App& command, std::uint64_t& seed) {
+  add_parsed(command, "--seed", "N", "Of the random numbers (default 0)",
+             [&seed](const std::string& text) {
+               seed = parse_count(text, 0, std::numeric_limits<std::uint64_t>::max());
+             })
+      ->group("Shadows");
 }
 
 void take_back_scenes(SceneWishes& wishes, std::vector<std::string>& scenes) {

@@ -16,7 +16,13 @@ find_package(Stb REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 
+# The distribution's Python, since pybind11 and NumPy are its; -DPython3_EXECUTABLE=... takes another.
 if(PROJECT_IS_TOP_LEVEL)
+  if(NOT DEFINED Python3_EXECUTABLE AND NOT DEFINED ENV{VIRTUAL_ENV} AND EXISTS /usr/bin/python3)
+    set(Python3_EXECUTABLE /usr/bin/python3)
+  endif()
+  find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
+  find_package(pybind11 REQUIRED)
   find_package(GTest REQUIRED)
   find_package(benchmark REQUIRED)
 endif()

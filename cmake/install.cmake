@@ -16,8 +16,7 @@ endforeach()
 
 set(made ${PROJECT_BINARY_DIR}/generated)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/penumbra-config.cmake.in
-  ${made}/penumbra-config.cmake INSTALL_DESTINATION ${package_dir}
-  PATH_VARS CMAKE_INSTALL_INCLUDEDIR NO_SET_AND_CHECK_MACRO)
+  ${made}/penumbra-config.cmake INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(${made}/penumbra-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${made}/penumbra-config.cmake ${made}/penumbra-config-version.cmake
   DESTINATION ${package_dir} COMPONENT development)

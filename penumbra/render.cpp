@@ -64,11 +64,11 @@ struct Renderer::Data {
   ShadowScene shadows;
 };
 
-Renderer::Renderer(Scene scene, Method method)
-    : data_(std::make_unique<Data>(std::move(scene), method)) {
-  if (!data_->scene.camera)
-    throw Error({data_->scene.name, {}, {}}, "the scene has no camera",
+Renderer::Renderer(Scene scene, Method method) {
+  if (!scene.camera)
+    throw Error({scene.name, {}, {}}, "the scene has no camera",
                 "complete it first (complete_scene)");
+  data_ = std::make_unique<Data>(std::move(scene), method);
 }
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
