@@ -49,6 +49,7 @@ class InstallTest(unittest.TestCase):
             "-DCMAKE_BUILD_TYPE=Debug", f"-DCMAKE_CXX_COMPILER={self.compiler}")
         run("cmake", "--build", build)
         self.check_square_shadow(run(build / "square_shadow"))
+        self.assertEqual(run(build / "square_shadow_c").splitlines()[:3], run(build / "square_shadow").splitlines()[:3])
         for scene in ("bust", "balls:2"):
             self.assertIn(" 0 differ", run(build / "as_rendered", scene))
 
