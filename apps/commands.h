@@ -29,5 +29,9 @@ Command add_compare(CLI::App& program);
 Command add_bench(CLI::App& program);
 Command add_reproduce(CLI::App& program);
 Command add_visibility(CLI::App& program);
+Command add_completion(CLI::App& program);
+/// For shells and the build, not in the help: what may be typed next, and the manual pages.
+Command add_complete(CLI::App& program);
+Command add_manual(CLI::App& program);
 
 }  // namespace penumbra

@@ -53,12 +53,12 @@ struct Choice {
 
 template <typename Value>
 Value choose(std::string_view text, std::span<const Choice<Value>> choices) {
-  std::string names;
+  std::vector<std::string> names;
   for (const Choice<Value>& choice : choices) {
     if (choice.name == text) return choice.value;
-    names += (names.empty() ? "" : ", ") + std::string(choice.name);
+    names.emplace_back(choice.name);
   }
-  throw UsageError("expected one of " + names);
+  throw UsageError(fmt::format("expected one of {}", fmt::join(names, ", ")), names);
 }
 
 constexpr std::array methods = {
@@ -134,7 +134,7 @@ std::variant<GroundChoice, double> parse_ground(std::string_view text) {
   if (text == "none") return GroundChoice::none;
   const std::optional<double> height = number<double>(text);
   if (!height || !(std::abs(*height) <= largest_coordinate))
-    throw UsageError("expected auto, none or a height");
+    throw UsageError("expected auto, none or a height", {"auto", "none"});
   return *height;
 }
 
@@ -153,6 +153,13 @@ std::vector<std::string> parse_list(std::string_view text) {
     if (comma == text.npos) return list;
     text.remove_prefix(comma + 1);
   }
+}
+
+Shell parse_shell(std::string_view text) {
+  static constexpr std::array shells = {Choice<Shell>{"bash", Shell::bash},
+                                        Choice<Shell>{"zsh", Shell::zsh},
+                                        Choice<Shell>{"fish", Shell::fish}};
+  return choose<Shell>(text, shells);
 }
 
 Method parse_method(std::string_view text) { return choose<Method>(text, methods); }
@@ -286,7 +293,7 @@ CLI::Option* add_parsed(CLI::App& command, const std::string& names, const std::
     try {
       parse(text);
     } catch (const UsageError& error) {
-      throw UsageError(fmt::format("{} {}: {}", names, text, error.what()));
+      throw UsageError(fmt::format("{} {}: {}", names, text, error.what()), error.choices);
     }
   };
   return command.add_option_function<std::string>(names, parse_named, help)->type_name(value);

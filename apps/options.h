@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Values of options, from text. All parsers throw UsageError that says what is expected; the
+// Values of options, from text. All parsers throw UsageError that says what is expected, with the
+// choices where only some words are, which is where shells get them from (complete.cpp); the
 // option's own name is added by `add_parsed`.
 #pragma once
 
@@ -51,6 +52,9 @@ LightRadius parse_light_radius(std::string_view text);
 /// `auto`, `none` or a height.
 std::variant<GroundChoice, double> parse_ground(std::string_view text);
 MoleculeStyle parse_style(std::string_view text);
+
+enum class Shell { bash, zsh, fish };
+Shell parse_shell(std::string_view text);
 
 /// What stands between the commas.
 std::vector<std::string> parse_list(std::string_view text);

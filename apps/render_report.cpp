@@ -6,7 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "options.h"
+<<<<<<< HEAD
 #include "output_files.h"
+=======
+#include "penumbra/version.h"
+>>>>>>> pack
 #include "resources.h"
 
 namespace penumbra {

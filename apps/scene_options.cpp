@@ -17,10 +17,14 @@ namespace penumbra {
 
 const char* const lights_help =
     "Lights (numbers in scene units, each with an optional r g b at the end):\n"
-    "  point x y z                              rect cx cy cz ux uy uz vx vy vz (half edges)\n"
-    "  sphere cx cy cz r                        disk cx cy cz nx ny nz r (n: its normal)\n"
-    "  line ax ay az bx by bz (from a to b)     polygon n x y z ... (n corners, convex, in order)\n"
-    "  mesh n x y z ... (convex hull of n)      sun dx dy dz degrees (towards it; diameter)\n"
+    "  point x y z\n"
+    "  sphere cx cy cz r\n"
+    "  line ax ay az bx by bz            from a to b\n"
+    "  rect cx cy cz ux uy uz vx vy vz   centre and half edges\n"
+    "  disk cx cy cz nx ny nz r          n is its normal\n"
+    "  polygon n x y z ...               n corners, convex, in order\n"
+    "  mesh n x y z ...                  convex hull of n points\n"
+    "  sun dx dy dz degrees              towards it; diameter\n"
     "All but suns may end in `beam ax ay az full none`: along an axis, full light up to the first\n"
     "angle from it (in degrees), none from the second on.\n\n";
 

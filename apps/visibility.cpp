@@ -20,6 +20,7 @@
 #include "penumbra/scene_io/write_answers.h"
 #include "penumbra/scene_io/write_scene.h"
 #include "penumbra/trace/names.h"
+#include "penumbra/version.h"
 #include "progress.h"
 #include "remove_on_signal.h"
 #include "resources.h"
