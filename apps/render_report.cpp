@@ -6,11 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "options.h"
-<<<<<<< HEAD
 #include "output_files.h"
-=======
 #include "penumbra/version.h"
->>>>>>> pack
 #include "resources.h"
 
 namespace penumbra {
