@@ -22,10 +22,16 @@ struct Command {
 
 /// `arguments`: the whole command line, for pictures to say how they were made.
 Command add_render(CLI::App& program, const std::vector<std::string>& arguments);
+Command add_bake(CLI::App& program, const std::vector<std::string>& arguments);
 Command add_info(CLI::App& program);
 Command add_generate(CLI::App& program);
 Command add_compare(CLI::App& program);
 Command add_bench(CLI::App& program);
 Command add_reproduce(CLI::App& program);
+Command add_visibility(CLI::App& program);
+Command add_completion(CLI::App& program);
+/// For shells and the build, not in the help: what may be typed next, and the manual pages.
+Command add_complete(CLI::App& program);
+Command add_manual(CLI::App& program);
 
 }  // namespace penumbra

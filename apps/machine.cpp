@@ -10,6 +10,7 @@
 
 #include "penumbra/kernel/embree_baseline.h"
 #include "penumbra/kernel/traverse.h"
+#include "penumbra/version.h"
 
 namespace penumbra {
 namespace {

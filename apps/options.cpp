@@ -53,12 +53,12 @@ struct Choice {
 
 template <typename Value>
 Value choose(std::string_view text, std::span<const Choice<Value>> choices) {
-  std::string names;
+  std::vector<std::string> names;
   for (const Choice<Value>& choice : choices) {
     if (choice.name == text) return choice.value;
-    names += (names.empty() ? "" : ", ") + std::string(choice.name);
+    names.emplace_back(choice.name);
   }
-  throw UsageError("expected one of " + names);
+  throw UsageError(fmt::format("expected one of {}", fmt::join(names, ", ")), names);
 }
 
 constexpr std::array methods = {
@@ -134,7 +134,7 @@ std::variant<GroundChoice, double> parse_ground(std::string_view text) {
   if (text == "none") return GroundChoice::none;
   const std::optional<double> height = number<double>(text);
   if (!height || !(std::abs(*height) <= largest_coordinate))
-    throw UsageError("expected auto, none or a height");
+    throw UsageError("expected auto, none or a height", {"auto", "none"});
   return *height;
 }
 
@@ -153,6 +153,13 @@ std::vector<std::string> parse_list(std::string_view text) {
     if (comma == text.npos) return list;
     text.remove_prefix(comma + 1);
   }
+}
+
+Shell parse_shell(std::string_view text) {
+  static constexpr std::array shells = {Choice<Shell>{"bash", Shell::bash},
+                                        Choice<Shell>{"zsh", Shell::zsh},
+                                        Choice<Shell>{"fish", Shell::fish}};
+  return choose<Shell>(text, shells);
 }
 
 Method parse_method(std::string_view text) { return choose<Method>(text, methods); }
@@ -186,6 +193,32 @@ std::vector<Aov> parse_aovs(std::string_view text) {
     if (std::find(aovs.begin(), aovs.end(), aov) == aovs.end()) aovs.push_back(aov);
   }
   return aovs;
+}
+
+UvChoice parse_uv_set(std::string_view text) {
+  static constexpr std::array sets = {Choice<UvChoice>{"auto", UvChoice::automatic},
+                                      Choice<UvChoice>{"1", UvChoice::first},
+                                      Choice<UvChoice>{"2", UvChoice::second}};
+  return choose<UvChoice>(text, sets);
+}
+
+BakeValue parse_bake_value(std::string_view text) {
+  static constexpr std::array weights = {Choice<BakeValue>{"none", BakeValue::fraction},
+                                         Choice<BakeValue>{"cosine", BakeValue::cosine_weighted}};
+  return choose<BakeValue>(text, weights);
+}
+
+BakeChannel parse_bake_channel(std::string_view text) {
+  static constexpr std::array channels = {Choice<BakeChannel>{"per-light", BakeChannel::per_light},
+                                          Choice<BakeChannel>{"mean", BakeChannel::mean}};
+  return choose<BakeChannel>(text, channels);
+}
+
+void parse_bake_layers(std::string_view text, BakeOutput& output) {
+  using Layer = bool BakeOutput::*;
+  static constexpr std::array layers = {Choice<Layer>{"class", &BakeOutput::has_classes},
+                                        Choice<Layer>{"coverage", &BakeOutput::has_coverage}};
+  for (const std::string& name : parse_list(text)) output.*choose<Layer>(name, layers) = true;
 }
 
 std::vector<Light> parse_lights(const std::vector<std::string>& words) {
@@ -224,6 +257,35 @@ std::string parse_output(std::string_view text,
   throw UsageError("expected a name that ends in " + known);
 }
 
+PointFormat parse_point_format(std::string_view text) {
+  static constexpr std::array formats = {Choice<PointFormat>{"csv", PointFormat::csv},
+                                         Choice<PointFormat>{"ply", PointFormat::ply},
+                                         Choice<PointFormat>{"npy", PointFormat::npy},
+                                         Choice<PointFormat>{"float", PointFormat::float32},
+                                         Choice<PointFormat>{"double", PointFormat::float64}};
+  return choose<PointFormat>(text, formats);
+}
+
+AnswerFormat parse_answer_format(std::string_view text) {
+  static constexpr std::array formats = {Choice<AnswerFormat>{"csv", AnswerFormat::csv},
+                                         Choice<AnswerFormat>{"ascii", AnswerFormat::ascii},
+                                         Choice<AnswerFormat>{"npy", AnswerFormat::npy},
+                                         Choice<AnswerFormat>{"ply", AnswerFormat::ply},
+                                         Choice<AnswerFormat>{"float", AnswerFormat::float32},
+                                         Choice<AnswerFormat>{"double", AnswerFormat::float64}};
+  return choose<AnswerFormat>(text, formats);
+}
+
+void check_files_differ(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty() || a == "-" || b == "-") return;
+  std::error_code ignored;
+  const auto same = std::filesystem::weakly_canonical(a, ignored) ==
+                    std::filesystem::weakly_canonical(b, ignored);
+  if (same || std::filesystem::equivalent(a, b, ignored))
+    throw UsageError(
+        fmt::format("{} and {} are the same file; give the output another name", a, b));
+}
+
 CLI::Option* add_parsed(CLI::App& command, const std::string& names, const std::string& value,
                         const std::string& help,
                         const std::function<void(const std::string&)>& parse) {
@@ -231,7 +293,7 @@ CLI::Option* add_parsed(CLI::App& command, const std::string& names, const std::
     try {
       parse(text);
     } catch (const UsageError& error) {
-      throw UsageError(fmt::format("{} {}: {}", names, text, error.what()));
+      throw UsageError(fmt::format("{} {}: {}", names, text, error.what()), error.choices);
     }
   };
   return command.add_option_function<std::string>(names, parse_named, help)->type_name(value);

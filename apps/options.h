@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Values of options, from text. All parsers throw UsageError that says what is expected; the
+// Values of options, from text. All parsers throw UsageError that says what is expected, with the
+// choices where only some words are, which is where shells get them from (complete.cpp); the
 // option's own name is added by `add_parsed`.
 #pragma once
 
@@ -11,9 +12,12 @@
 #include <variant>
 #include <vector>
 
+#include "bake_files.h"
 #include "penumbra/kernel/embree_baseline.h"
 #include "penumbra/scene/complete_scene.h"
+#include "penumbra/scene_io/read_points.h"
 #include "penumbra/scene_io/read_scene.h"
+#include "penumbra/scene_io/write_answers.h"
 #include "penumbra/trace/render.h"
 
 namespace CLI {
@@ -49,6 +53,9 @@ LightRadius parse_light_radius(std::string_view text);
 std::variant<GroundChoice, double> parse_ground(std::string_view text);
 MoleculeStyle parse_style(std::string_view text);
 
+enum class Shell { bash, zsh, fish };
+Shell parse_shell(std::string_view text);
+
 /// What stands between the commas.
 std::vector<std::string> parse_list(std::string_view text);
 
@@ -63,6 +70,15 @@ EmbreeSpheres parse_embree_spheres(std::string_view text);
 /// `class,visibility,depth,normal,samples`, any of them.
 std::vector<Aov> parse_aovs(std::string_view text);
 
+/// `auto`, `1` or `2`.
+UvChoice parse_uv_set(std::string_view text);
+/// `none` or `cosine`.
+BakeValue parse_bake_value(std::string_view text);
+/// `per-light` or `mean`.
+BakeChannel parse_bake_channel(std::string_view text);
+/// `class` and `coverage`, any of them: sets what is named.
+void parse_bake_layers(std::string_view text, BakeOutput& output);
+
 /// The words after all `--light` options, one after the other: a light starts at each word that is
 /// not a number.
 std::vector<Light> parse_lights(const std::vector<std::string>& words);
@@ -72,6 +88,14 @@ bool has_extension(std::string_view name, std::string_view extension);
 
 /// A name that ends in one of these extensions.
 std::string parse_output(std::string_view text, std::initializer_list<std::string_view> extensions);
+
+/// csv, ply, npy, float or double.
+PointFormat parse_point_format(std::string_view text);
+/// csv, ascii, npy, ply, float or double.
+AnswerFormat parse_answer_format(std::string_view text);
+
+/// One file for two purposes would end as neither. Empty names and `-` are none.
+void check_files_differ(const std::string& a, const std::string& b);
 
 /// Adds an option whose text goes to `parse`, with the option's name put before what it throws.
 CLI::Option* add_parsed(CLI::App& command, const std::string& names, const std::string& value,

@@ -19,6 +19,7 @@
 
 #include "commands.h"
 #include "penumbra/scene/error.h"
+#include "penumbra/version.h"
 #include "usage_error.h"
 
 namespace penumbra {
@@ -74,8 +75,16 @@ int main_with(const std::vector<std::string>& arguments) {
       "  penumbra render balls:4 -o balls.png --shadow-samples 64 --light-radius 5%\n"
       "  penumbra info molecule.pdb\n");
   const std::vector<Command> commands = {
-      add_render(program, arguments), add_info(program),  add_generate(program),
-      add_compare(program),           add_bench(program), add_reproduce(program)};
+<<<<<<< HEAD
+      add_render(program, arguments), add_bake(program, arguments), add_info(program),
+      add_generate(program),          add_compare(program),         add_bench(program),
+      add_reproduce(program),         add_visibility(program)};
+=======
+      add_render(program, arguments), add_info(program),       add_generate(program),
+      add_compare(program),           add_bench(program),      add_reproduce(program),
+      add_visibility(program),        add_completion(program), add_complete(program),
+      add_manual(program)};
+>>>>>>> pack
   try {
     std::vector<std::string> backwards(arguments.rbegin(), std::prev(arguments.rend()));
     std::transform(backwards.begin(), backwards.end(), backwards.begin(), with_leading_zero);

@@ -66,7 +66,7 @@ void Progress::update(double share) {
   if (style_ == Style::bar) {
     if (is_drawn_ && now - last_drawn_ < 0.1) return;
     last_drawn_ = now;
-    draw_bar(share, time_left);
+    draw(bar_text(label_, share, time_left, terminal_columns()));
   } else if (const int tenths = static_cast<int>(share * 10);
              tenths > tenths_ && (tenths == 10 || now - last_drawn_ >= 1)) {
     tenths_ = tenths;
@@ -76,9 +76,19 @@ void Progress::update(double share) {
   }
 }
 
-void Progress::draw_bar(double share, const std::string& time_left) {
+void Progress::update(const std::string& done) {
+  const double now = now_seconds();
+  if (style_ == Style::none || now - last_drawn_ < (style_ == Style::bar ? 0.1 : 1)) return;
+  last_drawn_ = now;
+  if (style_ == Style::bar)
+    draw(label_ + " " + done);
+  else
+    fmt::print(stderr, "{} {}\n", label_, done);
+}
+
+void Progress::draw(const std::string& text) {
   is_drawn_ = true;
-  fmt::print(stderr, "{}{}", clear_line, bar_text(label_, share, time_left, terminal_columns()));
+  fmt::print(stderr, "{}{}", clear_line, text);
   std::fflush(stderr);
 }
 

@@ -19,11 +19,13 @@ class Progress {
 
   /// The finished share in [0, 1]; one call at a time. Cheap: draws at most ten times a second.
   void update(double share);
+  /// Where the end is not known: `done` says how far, as in "2000000 points".
+  void update(const std::string& done);
 
  private:
   enum class Style { none, bar, lines };
 
-  void draw_bar(double share, const std::string& time_left);
+  void draw(const std::string& text);
 
   std::string label_;
   Style style_ = Style::none;

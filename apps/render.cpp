@@ -66,8 +66,7 @@ void add_shadow_options(CLI::App& app, Options& o) {
   });
   add("--verify", "N", "Compare N of the picture's answers with stochastic; fail if one differs",
       [&o](Text text) { o.verify = parse_count(text, 1, 1u << 30); });
-  add("--light-radius", "R", "Make point and ball lights balls of this radius; N% of the extent",
-      [&o](Text text) { o.wishes.complete.light_radius = parse_light_radius(text); });
+  add_light_radius_option(app, o.wishes);
 }
 
 void add_run_options(CLI::App& app, Options& o) {
@@ -106,17 +105,6 @@ void check(const Options& o) {
   if (o.output.empty()) throw UsageError("-o FILE is missing: where should the picture go?");
   if (!o.render.aovs.empty() && !has_extension(o.output, ".exr"))
     throw UsageError("--aov needs an .exr file; a PNG holds colours alone");
-}
-
-/// One file for two purposes would end as neither.
-void check_files_differ(const std::string& a, const std::string& b) {
-  if (a.empty() || b.empty()) return;
-  std::error_code ignored;
-  const auto same = std::filesystem::weakly_canonical(a, ignored) ==
-                    std::filesystem::weakly_canonical(b, ignored);
-  if (same || std::filesystem::equivalent(a, b, ignored))
-    throw UsageError(
-        fmt::format("{} and {} are the same file; give the output another name", a, b));
 }
 
 void take_size(Options& o, const Scene& scene) {

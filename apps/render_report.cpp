@@ -3,10 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "options.h"
+<<<<<<< HEAD
+#include "output_files.h"
+=======
+#include "penumbra/version.h"
+>>>>>>> pack
 #include "resources.h"
 
 namespace penumbra {
@@ -14,12 +18,6 @@ namespace {
 
 double ratio(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
-}
-
-/// File names say enough; the folders are the user's own business.
-std::string without_folders(const std::string& argument) {
-  if (argument.find('/') == argument.npos) return argument;
-  return std::filesystem::path(argument).filename().string();
 }
 
 }  // namespace
@@ -67,14 +65,9 @@ std::string stats_json(const RenderReport& report, const Picture& picture) {
 }
 
 void add_metadata(const RenderReport& report, Picture& picture) {
-  std::string command;
-  for (const std::string& argument : report.arguments) {
-    if (!command.empty()) command += ' ';
-    command += without_folders(argument);
-  }
   picture.image.metadata = {
       {"Software", "penumbra " PENUMBRA_VERSION},
-      {"Command", command},
+      {"Command", command_text(report.arguments)},
       {"Scene", without_folders(report.scene)},
       {"Method", std::string(name_of(report.method))},
       {"ShadowSamples", std::to_string(report.options.shadow_samples)},

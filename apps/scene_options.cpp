@@ -17,10 +17,14 @@ namespace penumbra {
 
 const char* const lights_help =
     "Lights (numbers in scene units, each with an optional r g b at the end):\n"
-    "  point x y z                              rect cx cy cz ux uy uz vx vy vz (half edges)\n"
-    "  sphere cx cy cz r                        disk cx cy cz nx ny nz r (n: its normal)\n"
-    "  line ax ay az bx by bz (from a to b)     polygon n x y z ... (n corners, convex, in order)\n"
-    "  mesh n x y z ... (convex hull of n)      sun dx dy dz degrees (towards it; diameter)\n"
+    "  point x y z\n"
+    "  sphere cx cy cz r\n"
+    "  line ax ay az bx by bz            from a to b\n"
+    "  rect cx cy cz ux uy uz vx vy vz   centre and half edges\n"
+    "  disk cx cy cz nx ny nz r          n is its normal\n"
+    "  polygon n x y z ...               n corners, convex, in order\n"
+    "  mesh n x y z ...                  convex hull of n points\n"
+    "  sun dx dy dz degrees              towards it; diameter\n"
     "All but suns may end in `beam ax ay az full none`: along an axis, full light up to the first\n"
     "angle from it (in degrees), none from the second on.\n\n";
 
@@ -32,19 +36,30 @@ void add_scene_options(CLI::App& command, SceneWishes& w) {
   add("--from", "x,y,z", "Camera position",
       [&w](Text text) { w.complete.from = parse_vector(text); });
   add("--at", "x,y,z", "What it looks at", [&w](Text text) { w.complete.at = parse_vector(text); });
-  add("--up", "x,y,z", "Its upward direction",
-      [&w](Text text) { w.complete.up = parse_vector(text); });
   add("--fov", "DEG", "Vertical field of view, in perspective",
       [&w](Text text) { w.complete.fov_deg = parse_number(text, 0.001, 179.999); });
   command.add_option("--view", w.view, "A view of Radiance's: a view file, or options like rvu's")
       ->type_name("FILE|OPTIONS")
       ->group("Scene");
-  add("--ground", "auto|none|HEIGHT", "A floor (default auto: under bare models)",
-      [&w](Text text) { w.complete.ground = parse_ground(text); });
   add("--ambient", "r,g,b", "Light from everywhere, without shadows: 0,0,0 is none",
       [&w](Text text) { w.complete.ambient = parse_color(text); });
   add("--background", "r,g,b", "Colour where nothing is hit",
       [&w](Text text) { w.complete.background = parse_color(text); });
+  add_ground_options(command, w);
+  add_light_options(command, w);
+}
+
+void add_ground_options(CLI::App& command, SceneWishes& w) {
+  using Text = const std::string&;
+  add_parsed(command, "--up", "x,y,z", "Which way is up", [&w](Text text) {
+    w.complete.up = parse_vector(text);
+  })->group("Scene");
+  add_parsed(command, "--ground", "auto|none|HEIGHT", "A floor (default auto: under bare models)",
+             [&w](Text text) { w.complete.ground = parse_ground(text); })
+      ->group("Scene");
+}
+
+void add_light_options(CLI::App& command, SceneWishes& w) {
   command
       .add_option("--light", w.light_words,
                   "Add a light, see below; the first one replaces the file's")
@@ -53,6 +68,13 @@ void add_scene_options(CLI::App& command, SceneWishes& w) {
   command.add_flag("--clear-glass", w.complete.clear_glass, "Transparent things cast no shadow")
       ->group("Shadows");
   add_read_options(command, w.read);
+}
+
+void add_light_radius_option(CLI::App& command, SceneWishes& w) {
+  add_parsed(command, "--light-radius", "R",
+             "Make point and ball lights balls of this radius; N% of the extent",
+             [&w](const std::string& text) { w.complete.light_radius = parse_light_radius(text); })
+      ->group("Shadows");
 }
 
 void add_ray_options(CLI::App& command, RenderOptions& o) {
@@ -66,9 +88,15 @@ void add_ray_options(CLI::App& command, RenderOptions& o) {
       "One ray goes through a pixel's upper left corner, as in the SPD, not its centre");
   add_parsed(command, "--depth", "N", "Longest path of mirrors and glass (default 5)",
              [&o](Text text) { o.depth = static_cast<std::uint32_t>(parse_count(text, 1, 64)); });
-  add_parsed(command, "--seed", "N", "Of the random numbers (default 0)", [&o](Text text) {
-    o.seed = parse_count(text, 0, std::numeric_limits<std::uint64_t>::max());
-  })->group("Shadows");
+  add_seed_option(command, o.seed);
+}
+
+void add_seed_option(CLI::App& command, std::uint64_t& seed) {
+  add_parsed(command, "--seed", "N", "Of the random numbers (default 0)",
+             [&seed](const std::string& text) {
+               seed = parse_count(text, 0, std::numeric_limits<std::uint64_t>::max());
+             })
+      ->group("Shadows");
 }
 
 void take_back_scenes(SceneWishes& wishes, std::vector<std::string>& scenes) {

@@ -2,6 +2,7 @@
 // Options of commands that draw a scene: camera, lights, ground, what readers ask, rays.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,19 @@ struct SceneWishes {
 
 /// `wishes` must live until the command line is parsed.
 void add_scene_options(CLI::App& command, SceneWishes& wishes);
+
+/// Of them `--up` and `--ground`.
+void add_ground_options(CLI::App& command, SceneWishes& wishes);
+
+/// Those of them that say which lights there are, and what readers ask: `--light`, `--clear-glass`
+/// and those of molecules.
+void add_light_options(CLI::App& command, SceneWishes& wishes);
+
+/// Adds `--light-radius`.
+void add_light_radius_option(CLI::App& command, SceneWishes& wishes);
+
+/// Adds `--seed`.
+void add_seed_option(CLI::App& command, std::uint64_t& seed);
 
 /// Adds `--spp`, `--depth` and `--seed`.
 void add_ray_options(CLI::App& command, RenderOptions& options);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "penumbra/geometry/box.h"
@@ -19,14 +20,18 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// it; indices are below positions.size() and positions are finite once `validate` has seen the
 /// scene.
 struct Mesh {
-  std::vector<Vec3f> positions;  ///< world space, scene units
-  std::vector<Vec3f> normals;    ///< unit, for shading only; empty: faceted
-  std::vector<Vec2f> uvs;        ///< of the base colour texture
-  std::vector<Vec3f> colors;     ///< linear RGB, multiplies the diffuse colour
+  std::vector<Vec3f> positions;     ///< world space, scene units
+  std::vector<Vec3f> normals;       ///< unit, for shading only; empty: faceted
+  std::vector<Vec2f> uvs;           ///< of the base colour texture
+  std::vector<Vec3f> colors;        ///< linear RGB, multiplies the diffuse colour
+  std::vector<Vec2f> lightmap_uvs;  ///< the file's second set, as it is: of textures made for it
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> surfaces;  ///< a surface a triangle; empty: all have `surface`
   std::uint32_t surface = 0;            ///< index of a material, not read by geometry or kernel
   bool is_backdrop = false;             ///< a floor or wall: not part of the objects' extent
+  /// Of the object in the file; neighbours with one name are its parts. Empty: an object of its
+  /// own.
+  std::string name{};
 };
 
 /// Surface of one triangle.

@@ -126,6 +126,7 @@ std::uint32_t duplicate_vertex(Mesh& mesh, std::uint32_t vertex) {
   repeat(mesh.normals);
   repeat(mesh.uvs);
   repeat(mesh.colors);
+  repeat(mesh.lightmap_uvs);
   return static_cast<std::uint32_t>(mesh.positions.size() - 1);
 }
 

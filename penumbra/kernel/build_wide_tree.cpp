@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <memory>
+#include <new>
 #include <stdexcept>
+#include <string>
 
 #include "penumbra/kernel/wide_tree.h"
 
@@ -81,6 +83,13 @@ class Flattener {
   BoxTree& tree_;
 };
 
+/// What Embree has last complained of, as an exception. Null: of calls without a device.
+[[noreturn]] void fail(RTCDevice device) {
+  const RTCError error = rtcGetDeviceError(device);
+  if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+  throw std::runtime_error("Embree could not build the hierarchy: error " + std::to_string(error));
+}
+
 }  // namespace
 
 BoxTree build_box_tree(std::span<const Box> boxes, std::uint32_t tested_together) {
@@ -89,9 +98,10 @@ BoxTree build_box_tree(std::span<const Box> boxes, std::uint32_t tested_together
   if (boxes.size() >= 1u << 27) throw std::length_error("more than 2^27 primitives");
   const std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)> device(rtcNewDevice(nullptr),
                                                                          &rtcReleaseDevice);
-  if (!device) throw std::runtime_error("Embree gives no device");
+  if (!device) fail(nullptr);
   const std::unique_ptr<RTCBVHTy, decltype(&rtcReleaseBVH)> bvh(rtcNewBVH(device.get()),
                                                                 &rtcReleaseBVH);
+  if (!bvh) fail(device.get());
   std::vector<RTCBuildPrimitive> primitives(boxes.size());
   for (unsigned i = 0; i < boxes.size(); ++i) primitives[i] = build_primitive(boxes[i], i);
 
@@ -113,7 +123,7 @@ BoxTree build_box_tree(std::span<const Box> boxes, std::uint32_t tested_together
   arguments.setNodeBounds = set_boxes;
   arguments.createLeaf = create_leaf;
   const auto* root = static_cast<const BuiltNode*>(rtcBuildBVH(&arguments));
-  if (!root) throw std::runtime_error("Embree could not build the hierarchy");
+  if (!root) fail(device.get());
 
   tree.order.reserve(boxes.size());
   Flattener flattener(tree);

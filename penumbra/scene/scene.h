@@ -40,7 +40,7 @@ struct ValidationReport {
 /// is
 /// <= 0, an index is out of range, an array has the wrong length, or nothing can be hit. Drops
 /// degenerate triangles and counts them; makes directions unit length; gives a scene without
-/// materials one.
+/// materials one. Texture coordinates may be anything.
 ValidationReport validate(Scene& scene);
 
 }  // namespace penumbra

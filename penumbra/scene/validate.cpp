@@ -126,7 +126,8 @@ void check_mesh(const Mesh& mesh, std::size_t i, std::size_t materials, const Ch
   check.require(vertices < most && mesh.triangles.size() < most, "mesh", i,
                 "has more parts than 32 bits can count", "split it");
   const auto fits = [&](std::size_t size) { return size == 0 || size == vertices; };
-  check.require(fits(mesh.normals.size()) && fits(mesh.uvs.size()) && fits(mesh.colors.size()),
+  check.require(fits(mesh.normals.size()) && fits(mesh.uvs.size()) && fits(mesh.colors.size()) &&
+                    fits(mesh.lightmap_uvs.size()),
                 "mesh", i, "has normals, texture coordinates or colours for some vertices only",
                 "give each vertex one, or none at all");
   check.require(mesh.surfaces.empty() || mesh.surfaces.size() == mesh.triangles.size(), "mesh", i,
@@ -149,8 +150,6 @@ std::size_t check_meshes(std::vector<Mesh>& meshes, std::size_t materials, const
     check_mesh(meshes[i], i, materials, check);
     dropped += drop_degenerate_triangles(meshes[i]);
     mend_normals(meshes[i]);
-    for (Vec2f& uv : meshes[i].uvs)
-      if (!std::isfinite(uv.u) || !std::isfinite(uv.v)) uv = {};
   }
   std::erase_if(meshes, [](const Mesh& mesh) { return mesh.triangles.empty(); });
   return dropped;

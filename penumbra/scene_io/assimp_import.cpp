@@ -80,13 +80,15 @@ void pack_material(const aiMaterial& source, ByteWriter& out) {
 
 void pack_mesh(const aiMesh& mesh, ByteWriter& out) {
   std::vector<Vec3f> positions, normals, colors;
-  std::vector<Vec2f> uvs;
+  std::vector<Vec2f> uvs, lightmap_uvs;
   std::vector<Triangle> triangles;
   for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
     positions.push_back(to_vec(mesh.mVertices[i]));
     if (mesh.HasNormals()) normals.push_back(to_vec(mesh.mNormals[i]));
     if (mesh.HasTextureCoords(0))
       uvs.push_back({mesh.mTextureCoords[0][i].x, mesh.mTextureCoords[0][i].y});
+    if (mesh.HasTextureCoords(1))
+      lightmap_uvs.push_back({mesh.mTextureCoords[1][i].x, mesh.mTextureCoords[1][i].y});
     if (mesh.HasVertexColors(0)) {
       const aiColor4D c = mesh.mColors[0][i];
       colors.push_back(to_color({c.r, c.g, c.b}));
@@ -98,10 +100,12 @@ void pack_mesh(const aiMesh& mesh, ByteWriter& out) {
       triangles.push_back({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
   }
   out.value(static_cast<std::uint32_t>(mesh.mMaterialIndex));
+  out.text(mesh.mName.C_Str());
   out.list(positions);
   out.list(normals);
   out.list(uvs);
   out.list(colors);
+  out.list(lightmap_uvs);
   out.list(triangles);
 }
 
@@ -212,10 +216,12 @@ AssimpScene unpack_assimp_scene(const std::string& bytes, const std::string& fil
   for (std::size_t i = in.count(8); i > 0; --i) {
     Mesh mesh;
     mesh.surface = in.value<std::uint32_t>();
+    mesh.name = in.text();
     mesh.positions = in.list<Vec3f>();
     mesh.normals = in.list<Vec3f>();
     mesh.uvs = in.list<Vec2f>();
     mesh.colors = in.list<Color>();
+    mesh.lightmap_uvs = in.list<Vec2f>();
     mesh.triangles = in.list<Triangle>();
     if (!mesh.triangles.empty()) scene.shapes.meshes.push_back(std::move(mesh));
   }

@@ -15,6 +15,10 @@ namespace penumbra {
 struct GltfUvUse {
   std::size_t set = 0;  ///< TEXCOORD_<set>
   double offset_u = 0, offset_v = 0, rotation_rad = 0, scale_u = 1, scale_v = 1;
+
+  bool is_moved() const {
+    return offset_u != 0 || offset_v != 0 || rotation_rad != 0 || scale_u != 1 || scale_v != 1;
+  }
 };
 
 /// Ours from glTF's coordinates, whose v grows downwards.

@@ -66,6 +66,13 @@ void read_vertices(GltfDocument& gltf, const Json& attributes, const GltfRows& p
   if (const auto rows = attribute(gltf, attributes, fmt::format("TEXCOORD_{}", use.set), 2, count))
     for (std::size_t i = 0; i < count; ++i)
       mesh.uvs.push_back(to_uv(use, rows->row(i)[0], rows->row(i)[1]));
+  // A material's own map of coordinates is of its texture alone.
+  const char* own = member(attributes, "TEXCOORD_1") ? "TEXCOORD_1"
+                    : use.is_moved()                 ? "TEXCOORD_0"
+                                                     : nullptr;
+  if (const auto rows = own ? attribute(gltf, attributes, own, 2, count) : std::nullopt)
+    for (std::size_t i = 0; i < count; ++i)
+      mesh.lightmap_uvs.push_back(to_uv({}, rows->row(i)[0], rows->row(i)[1]));
   if (const auto rows = attribute(gltf, attributes, "COLOR_0", 3, count))
     for (std::size_t i = 0; i < count; ++i)
       mesh.colors.push_back(max(vector_at(*rows, i), Vec3f{}));
@@ -118,13 +125,16 @@ std::optional<Mesh> read_primitive(GltfDocument& gltf, const Json& json,
 
 std::vector<Mesh> read_meshes(GltfDocument& gltf, std::size_t mesh,
                               const std::vector<GltfUvUse>& uv_uses, Warnings& warnings) {
-  const Json* primitives = member(element(gltf, "meshes", mesh), "primitives");
+  const Json& json = element(gltf, "meshes", mesh);
+  const Json* primitives = member(json, "primitives");
   if (!primitives || !primitives->is_array())
     gltf.fail(fmt::format("mesh {} has no list of primitives", mesh));
+  std::string name = string_of(gltf, json, "name");
+  if (name.empty()) name = fmt::format("mesh {}", mesh);
   std::vector<Mesh> meshes;
   for (const Json& primitive : *primitives)
     if (auto read = read_primitive(gltf, primitive, uv_uses, warnings))
-      if (!read->triangles.empty()) meshes.push_back(std::move(*read));
+      if (!read->triangles.empty()) meshes.push_back(std::move(*read)), meshes.back().name = name;
   return meshes;
 }
 

@@ -9,11 +9,14 @@
 #include <vector>
 
 #include "penumbra/scene/image.h"
+#include "penumbra/scene_io/image_io.h"
 
 namespace penumbra {
 
 // `name` is the file's name in messages. All throw Error.
 std::string to_png(const std::filesystem::path& name, const Image& image, float exposure_ev);
+std::string to_grey_png(const std::filesystem::path& name, const Image& image,
+                        const GreyCoding& coding);
 Image from_png(const std::filesystem::path& name, std::string_view bytes);
 std::string to_exr(const std::filesystem::path& name, const Image& image);
 Image from_exr(const std::filesystem::path& name, std::string_view bytes);

@@ -38,6 +38,11 @@ void write_image(const std::filesystem::path& path, const Image& image, float ex
                                                   : to_exr(path, image));
 }
 
+void write_grey_image(const std::filesystem::path& path, const Image& image,
+                      const GreyCoding& coding) {
+  write_file(path, to_grey_png(path, image, coding));
+}
+
 void check_image_path(const std::filesystem::path& path) {
   format_of(path);
   check_output_path(path);

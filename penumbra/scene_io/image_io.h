@@ -13,6 +13,17 @@ namespace penumbra {
 /// string attributes. Nothing appears at `path` unless all of it was written. Throws Error.
 void write_image(const std::filesystem::path& path, const Image& image, float exposure_ev = 0);
 
+/// How values of a grey PNG are stored.
+struct GreyCoding {
+  int bits = 8;          ///< or 16
+  bool is_srgb = false;  ///< of 8 bits: as sRGB codes, for what is decoded as a colour; else value
+                         ///< x 255 or 65535, for what is data
+};
+
+/// The one channel of an image as a grey PNG, values cut off at 0 and 1. As `write_image` else.
+void write_grey_image(const std::filesystem::path& path, const Image& image,
+                      const GreyCoding& coding);
+
 /// Throws Error unless `write_image` could write there: known extension, writable folder. Call it
 /// before hours of work.
 void check_image_path(const std::filesystem::path& path);

@@ -144,7 +144,7 @@ void add_pbrt_patches(PbrtScene& pbrt, const PbrtParams& params) {
   const std::vector<std::uint32_t> indices = read_indices(params, corners.positions.size(), 4);
   if (params.has("emissionfilename"))
     pbrt.warnings.add("a glowing bilinear mesh's picture is not read", params.place());
-  Mesh flat{corners.positions, corners.normals, corners.uvs, {}, {}, {}, 0, false}, curved;
+  Mesh flat = corners, curved;
   for (std::size_t i = 0; i < indices.size(); i += 4) {
     const std::array<std::uint32_t, 4> at{indices[i], indices[i + 1], indices[i + 2],
                                           indices[i + 3]};

@@ -43,6 +43,9 @@ struct PlyHeader {
   std::size_t lines = 0;  ///< of the header
 };
 
+/// A value of a binary format from the bytes at `bytes`.
+double ply_value(const char* bytes, PlyType type, PlyFormat format);
+
 /// Throws Error with the line.
 PlyHeader read_ply_header(const Source& source);
 
@@ -70,7 +73,6 @@ class PlyBody {
   std::size_t remaining() const;
   std::size_t least_bytes(PlyType type) const;
   std::string_view take(std::size_t count);
-  double binary_value(PlyType type);
 
   PlyFormat format_;
   std::string file_;

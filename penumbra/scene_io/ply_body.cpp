@@ -21,6 +21,28 @@ double number_from(const std::array<char, 8>& bytes) {
 
 }  // namespace
 
+double ply_value(const char* first, PlyType type, PlyFormat format) {
+  const std::string_view raw(first, size_in_bytes(type));
+  std::array<char, 8> bytes{};
+  const bool is_native =
+      (format == PlyFormat::binary_little_endian) == (std::endian::native == std::endian::little);
+  if (is_native)
+    std::copy(raw.begin(), raw.end(), bytes.begin());
+  else
+    std::copy(raw.rbegin(), raw.rend(), bytes.begin());
+  switch (type) {
+    case PlyType::int8: return number_from<std::int8_t>(bytes);
+    case PlyType::uint8: return number_from<std::uint8_t>(bytes);
+    case PlyType::int16: return number_from<std::int16_t>(bytes);
+    case PlyType::uint16: return number_from<std::uint16_t>(bytes);
+    case PlyType::int32: return number_from<std::int32_t>(bytes);
+    case PlyType::uint32: return number_from<std::uint32_t>(bytes);
+    case PlyType::float32: return number_from<float>(bytes);
+    case PlyType::float64: break;
+  }
+  return number_from<double>(bytes);
+}
+
 PlyBody::PlyBody(const Source& source, const PlyHeader& header)
     : format_(header.format),
       file_(source.path.string()),
@@ -51,31 +73,9 @@ std::string_view PlyBody::take(std::size_t count) {
   return bytes_.substr(last_, count);
 }
 
-double PlyBody::binary_value(PlyType type) {
-  const std::size_t size = size_in_bytes(type);
-  const std::string_view raw = take(size);
-  std::array<char, 8> bytes{};
-  const bool is_native =
-      (format_ == PlyFormat::binary_little_endian) == (std::endian::native == std::endian::little);
-  if (is_native)
-    std::copy(raw.begin(), raw.end(), bytes.begin());
-  else
-    std::copy(raw.rbegin(), raw.rend(), bytes.begin());
-  switch (type) {
-    case PlyType::int8: return number_from<std::int8_t>(bytes);
-    case PlyType::uint8: return number_from<std::uint8_t>(bytes);
-    case PlyType::int16: return number_from<std::int16_t>(bytes);
-    case PlyType::uint16: return number_from<std::uint16_t>(bytes);
-    case PlyType::int32: return number_from<std::int32_t>(bytes);
-    case PlyType::uint32: return number_from<std::uint32_t>(bytes);
-    case PlyType::float32: return number_from<float>(bytes);
-    case PlyType::float64: break;
-  }
-  return number_from<double>(bytes);
-}
-
 double PlyBody::real(PlyType type) {
-  if (format_ != PlyFormat::ascii) return binary_value(type);
+  if (format_ != PlyFormat::ascii)
+    return ply_value(take(size_in_bytes(type)).data(), type, format_);
   const Token token = tokens_.next();
   last_ = token.line;
   // As float where the file says so: rounded once, not twice.

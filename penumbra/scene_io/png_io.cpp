@@ -160,8 +160,16 @@ Image to_image(const Layout& layout, const std::vector<png_byte>& pixels) {
 
 }  // namespace
 
-std::string to_png(const std::filesystem::path& name, const Image& image, float exposure_ev) {
-  std::vector<png_byte> pixels = srgb_codes(name, image, exposure_ev);
+namespace {
+
+struct Encoding {
+  int bits = 8, color_type = PNG_COLOR_TYPE_RGB;
+  bool is_srgb = true;  ///< and says so
+};
+
+/// `pixels` are codes row by row, of 16 bits the high byte first.
+std::string encode(const std::filesystem::path& name, const Image& image, const Encoding& encoding,
+                   std::vector<png_byte> pixels) {
   const std::vector<png_bytep> rows = rows_of(pixels, image.height);
   const std::vector<png_text> texts = text_chunks(image);
   std::string bytes;
@@ -171,9 +179,11 @@ std::string to_png(const std::filesystem::path& name, const Image& image, float 
   const bool is_written =
       writer.info && survives(writer.png, [&] {
         png_set_write_fn(writer.png, &stream, write_bytes, flush_nothing);
-        png_set_IHDR(writer.png, writer.info, image.width, image.height, 8, PNG_COLOR_TYPE_RGB,
-                     PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-        png_set_sRGB_gAMA_and_cHRM(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+        png_set_IHDR(writer.png, writer.info, image.width, image.height, encoding.bits,
+                     encoding.color_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                     PNG_FILTER_TYPE_DEFAULT);
+        if (encoding.is_srgb)
+          png_set_sRGB_gAMA_and_cHRM(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
         png_set_text(writer.png, writer.info, texts.data(), static_cast<int>(texts.size()));
         png_write_info(writer.png, writer.info);
         png_write_image(writer.png, const_cast<png_bytepp>(rows.data()));
@@ -181,6 +191,34 @@ std::string to_png(const std::filesystem::path& name, const Image& image, float 
       });
   if (!is_written) fail(name, stream, "cannot be written as PNG", "write it as .exr");
   return bytes;
+}
+
+}  // namespace
+
+std::string to_png(const std::filesystem::path& name, const Image& image, float exposure_ev) {
+  return encode(name, image, {}, srgb_codes(name, image, exposure_ev));
+}
+
+std::string to_grey_png(const std::filesystem::path& name, const Image& image,
+                        const GreyCoding& coding) {
+  const std::size_t count = std::size_t{image.width} * image.height;
+  const Channel* channel = image.channels.size() == 1 ? image.channels.data() : nullptr;
+  if (!channel || channel->values.size() != count)
+    throw Error({name.string(), {}, {}}, "a grey PNG has one channel", "write these as .exr");
+  std::vector<png_byte> pixels;
+  pixels.reserve(count * coding.bits / 8);
+  for (const float value : channel->values) {
+    const double light = value > 0 ? std::min(1.0, double{value}) : 0;  // NaN: 0
+    if (coding.bits == 16) {
+      const auto code = static_cast<unsigned>(light * 65535 + 0.5);
+      pixels.push_back(static_cast<png_byte>(code >> 8));
+      pixels.push_back(static_cast<png_byte>(code & 255));
+    } else {
+      pixels.push_back(coding.is_srgb ? srgb_from_linear(value)
+                                      : static_cast<png_byte>(light * 255 + 0.5));
+    }
+  }
+  return encode(name, image, {coding.bits, PNG_COLOR_TYPE_GRAY, coding.is_srgb}, std::move(pixels));
 }
 
 Image from_png(const std::filesystem::path& name, std::string_view bytes) {

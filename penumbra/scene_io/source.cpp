@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/scene_io/source.h"
 
+#include "penumbra/scene_io/gunzip.h"
+
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -23,22 +24,8 @@ struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-/// Regular files and pipes; devices and folders have no end, or no bytes.
-void check_kind(const std::filesystem::path& path) {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (status.type() == std::filesystem::file_type::not_found)
-    throw Error({path.string(), {}, {}}, "there is no such file", "check the path");
-  if (error) throw Error({path.string(), {}, {}}, "cannot be read: " + error.message());
-  if (status.type() == std::filesystem::file_type::directory)
-    throw Error({path.string(), {}, {}}, "is a folder", "name a file in it");
-  if (status.type() != std::filesystem::file_type::regular &&
-      status.type() != std::filesystem::file_type::fifo)
-    throw Error({path.string(), {}, {}}, "is neither a file nor a pipe");
-}
-
 std::string read_all(const std::filesystem::path& path) {
-  check_kind(path);
+  check_readable(path);
   const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
   if (!file)
     throw Error({path.string(), {}, {}}, std::string("cannot be read: ") + std::strerror(errno),
@@ -61,64 +48,24 @@ std::string read_all(const std::filesystem::path& path) {
   }
 }
 
-bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b\x08"); }
-
-struct EndInflate {
-  void operator()(z_stream* stream) const { inflateEnd(stream); }
-};
-
-[[noreturn]] void fail_gzip(const std::filesystem::path& path, std::size_t at, const char* what) {
-  throw Error({path.string(), {}, at}, std::string("broken gzip data: ") + what,
-              "unpack it with gunzip to see what is left");
-}
-
-/// Unpacks one gzip member that starts at `at` onto `out`; returns where it ends.
-std::size_t unpack_member(const std::filesystem::path& path, std::string_view packed,
-                          std::size_t at, std::string& out) {
-  z_stream stream{};
-  if (inflateInit2(&stream, 15 + 16) != Z_OK) fail_gzip(path, at, "zlib does not start");
-  const std::unique_ptr<z_stream, EndInflate> guard(&stream);
-  std::size_t used = out.size();
-  for (;;) {
-    const std::size_t in = std::min(packed.size() - at, chunk);
+std::string unpack(const std::filesystem::path& path, std::string_view packed) {
+  Gunzip gunzip(path);
+  std::string out;
+  std::size_t at = 0, used = 0;
+  while (at < packed.size() || !gunzip.may_end()) {
     if (used == out.size())
       out.resize(std::min(used + std::max(used, 4 * chunk), unpacked_limit + chunk));
-    const std::size_t room = std::min(out.size() - used, 64 * chunk);
-    // zlib's interface is older than const.
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data() + at));
-    stream.avail_in = static_cast<uInt>(in);
-    stream.next_out = reinterpret_cast<Bytef*>(out.data() + used);
-    stream.avail_out = static_cast<uInt>(room);
-    const int status = inflate(&stream, Z_NO_FLUSH);
-    at += in - stream.avail_in;
-    used += room - stream.avail_out;
+    const Gunzip::Step step =
+        gunzip.unpack(packed.substr(at, chunk), packed.size() - at <= chunk, out.data() + used,
+                      std::min(out.size() - used, 64 * chunk));
+    at += step.taken;
+    used += step.given;
     if (used > unpacked_limit)
       throw Error({path.string(), {}, at},
                   "it unpacks to more than 2 GiB, the most that is read from gzip",
                   "unpack it with gunzip, and give the file itself");
-    if (status == Z_STREAM_END) break;
-    if (status == Z_MEM_ERROR) fail_gzip(path, at, "out of memory");
-    if (status == Z_BUF_ERROR && at == packed.size()) fail_gzip(path, at, "it is cut off");
-    if (status != Z_OK && status != Z_BUF_ERROR)
-      fail_gzip(path, at, stream.msg != nullptr ? stream.msg : "not readable");
   }
   out.resize(used);
-  return at;
-}
-
-/// All members of a gzip file, one after the other; zeros that pad it at the end are allowed.
-std::string unpack(const std::filesystem::path& path, std::string_view packed) {
-  std::string out;
-  std::size_t at = 0;
-  while (at < packed.size()) {
-    if (is_gzip(packed.substr(at))) {
-      at = unpack_member(path, packed, at, out);
-      continue;
-    }
-    if (packed.find_first_not_of('\0', at) != std::string_view::npos)
-      fail_gzip(path, at, "something else follows it");
-    break;
-  }
   return out;
 }
 
@@ -134,6 +81,19 @@ std::string lower_extension(std::filesystem::path path) {
 }
 
 }  // namespace
+
+void check_readable(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found)
+    throw Error({path.string(), {}, {}}, "there is no such file", "check the path");
+  if (error) throw Error({path.string(), {}, {}}, "cannot be read: " + error.message());
+  if (status.type() == std::filesystem::file_type::directory)
+    throw Error({path.string(), {}, {}}, "is a folder", "name a file in it");
+  if (status.type() != std::filesystem::file_type::regular &&
+      status.type() != std::filesystem::file_type::fifo)
+    throw Error({path.string(), {}, {}}, "is neither a file nor a pipe");
+}
 
 Source load(const std::filesystem::path& path) {
   Source source{path, lower_extension(path), read_all(path)};

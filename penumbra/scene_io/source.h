@@ -26,6 +26,9 @@ struct Source {
 /// from gzip).
 Source load(const std::filesystem::path& path);
 
+/// Throws Error for all but regular files and pipes: devices and folders have no end, or no bytes.
+void check_readable(const std::filesystem::path& path);
+
 /// Warnings by kind: the first of each kind is kept with its line, the others are counted. Kinds
 /// may quote a file: they are cut after 300 bytes, and from the 51st on they are one kind.
 class Warnings {

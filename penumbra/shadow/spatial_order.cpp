@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "penumbra/geometry/box.h"
-
 namespace penumbra {
 namespace {
 
@@ -33,20 +31,23 @@ bool is_scattered(std::span<const ShadowQuery> queries, std::size_t run) {
   return sum > 0.7f * runs * bounds(queries).largest_extent();
 }
 
+std::uint32_t place_on_curve(Vec3f point, const Box& box) {
+  const float scale = 1023 / std::max(box.largest_extent(), 1e-30f);
+  const Vec3f from = (point - box.lo) * scale;
+  std::uint32_t place = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float step = from[axis] > 0 ? std::min(from[axis], 1023.0f) : 0;  // NaN: 0
+    place |= spread_bits(static_cast<std::uint32_t>(step)) << axis;
+  }
+  return place;
+}
+
 void order_in_space(std::span<const ShadowQuery> queries, std::vector<std::uint32_t>& order) {
   const Box box = bounds(queries);
-  const float scale = 1023 / std::max(box.largest_extent(), 1e-30f);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> keys;
   keys.reserve(queries.size());
-  for (std::uint32_t i = 0; i < queries.size(); ++i) {
-    const Vec3f from = (queries[i].receiver.position - box.lo) * scale;
-    std::uint32_t key = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const float step = from[axis] > 0 ? std::min(from[axis], 1023.0f) : 0;  // NaN: 0
-      key |= spread_bits(static_cast<std::uint32_t>(step)) << axis;
-    }
-    keys.emplace_back(key, i);
-  }
+  for (std::uint32_t i = 0; i < queries.size(); ++i)
+    keys.emplace_back(place_on_curve(queries[i].receiver.position, box), i);
   std::sort(keys.begin(), keys.end());
   order.clear();
   for (const auto& [key, index] : keys) order.push_back(index);

@@ -9,6 +9,7 @@
 #include "penumbra/shadow/hull_proof.h"
 #include "penumbra/shadow/offset.h"
 #include "penumbra/shadow/shaft.h"
+#include "penumbra/shadow/sheet_proof.h"
 #include "penumbra/shadow/spatial_order.h"
 
 namespace penumbra {
@@ -185,8 +186,12 @@ class Tile {
     return is_umbra;
   }
 
-  bool is_outline_hidden(const SeenLight& sight);
-  bool is_behind_sheet(const SeenLight& sight, std::size_t receivers);
+  bool is_behind_sheet(const SeenLight& sight, std::size_t receivers) {
+    const auto most = static_cast<std::uint32_t>(std::min<std::size_t>(
+        sheet_a_sample * samples_.pattern.size() * receivers, SheetScratch::most));
+    return penumbra::is_behind_sheet(scene_, sight, most, scratch_.outline, scratch_.sheet,
+                                     counters_.set_tests);
+  }
 
   /// A proof for all of a group. Where a light straddles the horizon, samples have a say still.
   void all_are(std::size_t first, std::size_t count, ShadowClass shadow_class) {
@@ -198,16 +203,15 @@ class Tile {
     if (!is_above && !take(scratch_.query[row])) return {0, 0, ShadowClass::umbra};
     counters_.count(shadow_class);
     if (shadow_class == ShadowClass::umbra) return {0, 0, shadow_class};
-    return is_above ? Visibility{1, 1, shadow_class} : summed(shadow_class, 0);
+    return is_above || wants_class() ? Visibility{1, 1, shadow_class} : summed(shadow_class, 0);
   }
 
   void answer_one(std::size_t row, const CandidateList* list) {
     const SeenLight seen = seen_by_one(form_, scratch_.rows, row);
     const bool is_gathered = !list && gather(group(row, 1), seen, most_of_one);
     if (is_gathered) list = &gathered();
-    const bool may_have_sheet =
-        !scene_.sheet->is_empty() && (samples_.pattern.size() >= samples_worth_a_sheet ||
-                                      answers_.wanted == Wanted::shadow_class);
+    const bool may_have_sheet = !scene_.sheet->is_empty() &&
+                                (samples_.pattern.size() >= samples_worth_a_sheet || wants_class());
     if (!list) {
       const bool is_umbra = may_have_sheet && tries_sheet(seen, 1);
       return put(row, is_umbra ? proven(row, ShadowClass::umbra)
@@ -223,8 +227,12 @@ class Tile {
       put(row, by_records(row));
   }
 
-  /// Takes the samples of query i; returns whether any is above the horizon.
+  bool wants_class() const { return answers_.wanted == Wanted::shadow_class; }
+
+  /// Takes the samples of query i; returns whether any is above the horizon. Where the class is all
+  /// that is wanted, none are taken: it holds for all of the light, and some of it may be above.
   bool take(std::size_t i) {
+    if (wants_class()) return true;
     const ShadowQuery& query = queries_[i];
     return take_samples(scene_, light_, query.receiver, query.key, samples_) > 0;
   }
@@ -258,12 +266,12 @@ class Tile {
   Visibility by_records(std::size_t row) {
     const ShadowClass proof = look_closely(row);
     if (proof != ShadowClass::penumbra) return proven(row, proof);
-    if (answers_.wanted == Wanted::shadow_class && !scene_.sheet->is_empty() &&
+    if (wants_class() && !scene_.sheet->is_empty() &&
         is_behind_sheet(seen_by_one(form_, scratch_.rows, row), 1))
       return proven(row, ShadowClass::umbra);
     if (!take(scratch_.query[row])) return {0, 0, ShadowClass::umbra};
     counters_.count(ShadowClass::penumbra);
-    if (answers_.wanted == Wanted::shadow_class) return unproven;
+    if (wants_class()) return unproven;
     std::vector<std::uint32_t>& records = scratch_.sifted.record;
     const auto last = std::find(records.begin(), records.end(), queue_.record[0]);
     if (last != records.end()) std::iter_swap(last, records.begin());
@@ -292,7 +300,7 @@ class Tile {
   Visibility by_packets(std::size_t i, ShadowClass unseen) {
     if (!take(i)) return {0, 0, unseen};
     counters_.count(ShadowClass::penumbra);
-    if (answers_.wanted == Wanted::shadow_class) return unproven;
+    if (wants_class()) return unproven;
     return summed(ShadowClass::penumbra,
                   trace_samples(*scene_.kernel, queue_, samples_, counters_));
   }
@@ -319,50 +327,6 @@ class Tile {
   AnswerRows answers_;
   std::uint64_t above_ = 0;  // rows that see the whole light above their horizon
 };
-
-constexpr std::uint32_t outline_rays = 8;
-
-/// Whether rays to the light's outline are all blocked: where one is not, no proof is looked for.
-bool Tile::is_outline_hidden(const SeenLight& sight) {
-  constexpr float diagonal = 0.70710678f;
-  constexpr float turns[outline_rays][2] = {
-      {1, 0},  {diagonal, diagonal},   {0, 1},  {-diagonal, diagonal},
-      {-1, 0}, {-diagonal, -diagonal}, {0, -1}, {diagonal, -diagonal}};
-  LightSamples& rays = scratch_.outline;
-  rays.resize(outline_rays);
-  rays.origin = sight.p, rays.t_max = 1;
-  const Frame<float> frame = frame_around(sight.way / sight.distance);
-  for (std::size_t i = 0; i < rays.x.size(); ++i) {
-    const float* turn = turns[i % outline_rays];
-    const Vec3f way = sight.way + (frame.u * turn[0] + frame.v * turn[1]) * form_.size;
-    rays.x[i] = way.x, rays.y[i] = way.y, rays.z[i] = way.z;
-  }
-  const std::uint32_t active[] = {(1u << outline_rays) - 1};
-  std::uint32_t blocked[1];
-  counters_.set_tests += scene_.kernel->occluded(rays, active, blocked).tests;
-  return blocked[0] == active[0];
-}
-
-/// Whether what stands before the light's centre goes on to its outline: the nearest sheet, or the
-/// last.
-bool Tile::is_behind_sheet(const SeenLight& sight, std::size_t receivers) {
-  const Kernel& kernel = *scene_.kernel;
-  Ray ray{sight.p, sight.way};
-  ray.t_max = 1;
-  const std::uint32_t nearest = kernel.closest_record(ray);
-  if (nearest == no_record || kernel.records()[nearest].kind != ShapeKind::triangle ||
-      !is_outline_hidden(sight))
-    return false;
-  const auto most = static_cast<std::uint32_t>(std::min<std::size_t>(
-      sheet_a_sample * samples_.pattern.size() * receivers, SheetScratch::most));
-  const auto covers = [&](std::uint32_t start) {
-    return sheet_covers(*scene_.sheet, kernel.records(), sight, start, most, scratch_.sheet,
-                        counters_.set_tests);
-  };
-  if (covers(nearest)) return true;
-  const std::uint32_t last = kernel.closest_record({sight.p + sight.way, -sight.way, 0, 1});
-  return last != no_record && last != nearest && covers(last);
-}
 
 }  // namespace
 

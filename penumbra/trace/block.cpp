@@ -2,26 +2,10 @@
 #include "penumbra/trace/block.h"
 
 #include "penumbra/trace/layers.h"
+#include "penumbra/trace/z_order.h"
 
 namespace penumbra {
 namespace {
-
-struct Pixel {
-  std::uint32_t x, y;
-};
-
-/// Pixels of a block in Z-order, so that neighbours in a wave are neighbours in the picture.
-std::vector<Pixel> z_order(Area block) {
-  const auto even_bits = [](std::uint32_t i) {
-    return (i & 1) | (i >> 1 & 2) | (i >> 2 & 4) | (i >> 3 & 8);
-  };
-  std::vector<Pixel> pixels;
-  for (std::uint32_t i = 0; i < block_edge * block_edge; ++i) {
-    const std::uint32_t x = block.x_begin + even_bits(i), y = block.y_begin + even_bits(i >> 1);
-    if (x < block.x_end && y < block.y_end) pixels.push_back({x, y});
-  }
-  return pixels;
-}
 
 /// Blocks are counted row by row.
 std::uint32_t number_of(Area block, std::uint32_t width) {

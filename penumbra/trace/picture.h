@@ -25,6 +25,15 @@ struct AnsweredBatch {
   std::span<const Visibility> seen;
 };
 
+/// A sample of a pixel, (0, 0) in the upper left corner.
+struct PixelSample {
+  std::uint32_t x = 0, y = 0, sample = 0;
+};
+
+/// What the questions behind a pixel's sample are drawn by: the key of its point at this path of
+/// the ray tree, of which `light_key` makes `ShadowQuery::key`. `seed` as in RenderOptions.
+std::uint64_t point_key(std::uint64_t seed, const PixelSample& sample, std::uint64_t path);
+
 /// Where the one ray of a pixel goes: through its centre, or, as the Standard Procedural Databases
 /// have it, through its upper left corner. More samples a pixel are spread over it.
 enum class PixelPoint { center, corner };

@@ -10,6 +10,10 @@ std::uint64_t pixel_key(std::uint64_t seed, std::uint32_t x, std::uint32_t y) {
 
 }  // namespace
 
+std::uint64_t point_key(std::uint64_t seed, const PixelSample& sample, std::uint64_t path) {
+  return hash(hash(pixel_key(seed, sample.x, sample.y), sample.sample), path);
+}
+
 CameraRays::CameraRays(const Camera& camera, const RenderOptions& options)
     : frame_(frame(camera, double(options.width) / options.height)),
       near_(camera.near),
@@ -36,11 +40,10 @@ void CameraRays::of_pixel(std::uint32_t x, std::uint32_t y, std::vector<CameraRa
 std::optional<PixelSample> find_sample(const RenderOptions& options, std::uint64_t path,
                                        std::uint32_t light, std::uint64_t key) {
   for (std::uint32_t y = 0; y < options.height; ++y)
-    for (std::uint32_t x = 0; x < options.width; ++x) {
-      const std::uint64_t pixel = pixel_key(options.seed, x, y);
+    for (std::uint32_t x = 0; x < options.width; ++x)
       for (std::uint32_t s = 0; s < options.samples_per_pixel; ++s)
-        if (light_key(hash(hash(pixel, s), path), light) == key) return PixelSample{x, y, s};
-    }
+        if (light_key(point_key(options.seed, {x, y, s}, path), light) == key)
+          return PixelSample{x, y, s};
   return {};
 }
 

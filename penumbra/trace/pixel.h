@@ -35,11 +35,6 @@ class CameraRays {
   SamplePattern pattern_;
 };
 
-/// A sample of a pixel.
-struct PixelSample {
-  std::uint32_t x = 0, y = 0, sample = 0;
-};
-
 /// Whose question has this key (`ShadowQuery::key`) at this path about this light; nothing when it
 /// is none of the picture's. Cost: a hash for each sample of the picture.
 std::optional<PixelSample> find_sample(const RenderOptions& options, std::uint64_t path,

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -11,7 +13,6 @@
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -20,6 +21,7 @@
 #include "penumbra/scene/error.h"
 #include "penumbra/shadow/visibility.h"
 #include "penumbra/visibility/lights.h"
+#include "penumbra/visibility/point_order.h"
 
 namespace penumbra {
 namespace {
@@ -41,6 +43,8 @@ void require_room(std::size_t given, std::size_t wanted) {
 
 void check(const Points& points, const AskOptions& options, const Answers& answers) {
   const std::size_t count = points.positions.size();
+  if (count > std::numeric_limits<std::uint32_t>::max())
+    throw Error({}, "more than 2^32 - 1 points", "ask in parts, with a first_key each");
   if (!points.normals.empty()) require_count("normals", points.normals.size(), count);
   if (!points.keys.empty()) require_count("keys", points.keys.size(), count);
   if (points.offset && !(std::abs(*points.offset) <= 1e15f))
@@ -67,88 +71,80 @@ class Asker {
         points_(points),
         light_(light),
         options_(options),
-        answers_(answers),
-        scratch_([&] { return Scratch(options.shadow_samples); }) {}
+        answers_(answers) {}
 
   ShadowCounters ask() {
-    const std::size_t blocks = (points_.positions.size() + block_size - 1) / block_size;
-    if (blocks < 2 || options_.threads == 1) {
-      for (std::size_t i = 0; i < blocks; ++i) answer_block(i);
-    } else if (options_.threads == 0) {
-      answer_all(blocks);
+    if (options_.threads == 0) {
+      // Of the caller's own tasks, none is taken up by a thread that waits here.
+      tbb::this_task_arena::isolate([&] { answer_all(); });
     } else {
       // More threads than cores must be possible: results are promised for any number.
       const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                         options_.threads);
-      tbb::task_arena(static_cast<int>(options_.threads)).execute([&] { answer_all(blocks); });
+      tbb::task_arena(static_cast<int>(options_.threads)).execute([&] { answer_all(); });
     }
     if (is_cancelled_) throw Cancelled();
-    ShadowCounters sum;
-    for (const Scratch& scratch : scratch_) sum.add(scratch.counters);
-    return sum;
+    return counters_;
   }
 
  private:
-  struct Scratch {
-    explicit Scratch(std::uint32_t shadow_samples) : visibility(shadow_samples) {}
-    VisibilityScratch visibility;
-    std::vector<ShadowQuery> queries;
-    std::vector<Visibility> seen;
-    ShadowCounters counters;
-  };
-
-  void answer_all(std::size_t blocks) {
-    // Of the caller's own tasks, none is taken up by a thread that waits here.
-    tbb::this_task_arena::isolate([&] {
-      tbb::parallel_for(
-          tbb::blocked_range<std::size_t>(0, blocks, 1),
-          [&](const tbb::blocked_range<std::size_t>& range) {
-            for (std::size_t i = range.begin(); i < range.end(); ++i) answer_block(i);
-          },
-          tbb::simple_partitioner());
-    });
+  void answer_all() {
+    const std::size_t blocks = (points_.positions.size() + block_size - 1) / block_size;
+    if (blocks > 1) order_ = order_of(points_.positions);
+    if (blocks == 1) return answer_block(0);
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, blocks, 1),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+          for (std::size_t i = range.begin(); i < range.end(); ++i) answer_block(i);
+        },
+        tbb::simple_partitioner());
   }
 
   void answer_block(std::size_t block) {
     if (is_cancelled_) return;
-    Scratch& scratch = scratch_.local();
+    std::unique_ptr<AskScratch> own = occluders_.scratch_pool.take(options_.shadow_samples);
+    AskScratch& scratch = *own;
     const std::size_t first = block * block_size;
     const std::size_t count = std::min(block_size, points_.positions.size() - first);
     scratch.queries.resize(count);
     Box box;
     for (std::size_t i = 0; i < count; ++i) {
-      const ShadowQuery& query = scratch.queries[i] = query_of(first + i);
+      const ShadowQuery& query = scratch.queries[i] = query_of(point_at(first + i));
       if (is_finite(query.receiver.position)) box.add(query.receiver.position);
     }
     // What cannot be proven far away must not be lost for others: each block has bounds of its own.
     const ShadowScene scene = with_light(occluders_.shadows, light_, options_.method, box);
     OccluderQueue queue;
-    scratch.seen.resize(count);
-    visibilities(scene, 0, scratch.queries, queue, scratch.visibility, scratch.counters,
-                 rows(first, scratch.seen));
-    put(first, scratch.seen);
-    report(count);
+    const AnswerRows rows = rows_in(scratch);
+    ShadowCounters counters;
+    visibilities(scene, 0, scratch.queries, queue, scratch.visibility, counters, rows);
+    for (std::size_t i = 0; i < count; ++i) put(point_at(first + i), rows, i);
+    occluders_.scratch_pool.give_back(std::move(own));
+    report(count, counters);
   }
 
-  AnswerRows rows(std::size_t first, std::span<Visibility> seen) const {
-    AnswerRows rows{.seen = seen, .shadow_samples = options_.shadow_samples};
+  /// The caller's number of the point that is asked about as the i-th.
+  std::size_t point_at(std::size_t i) const { return order_.empty() ? i : order_[i]; }
+
+  AnswerRows rows_in(AskScratch& scratch) const {
+    scratch.seen.resize(scratch.queries.size());
+    AnswerRows rows{.seen = scratch.seen, .shadow_samples = options_.shadow_samples};
     if (answers_.visibility.empty() && answers_.fraction.empty() && answers_.free_samples.empty())
       rows.wanted = Wanted::shadow_class;
-    if (!answers_.free_samples.empty())
-      rows.free_samples =
-          answers_.free_samples.subspan(first * rows.words(), seen.size() * rows.words());
+    if (!answers_.free_samples.empty()) {
+      scratch.free_samples.resize(rows.seen.size() * rows.words());
+      rows.free_samples = scratch.free_samples;
+    }
     return rows;
   }
 
-  void put(std::size_t first, std::span<const Visibility> seen) const {
-    const auto put_each = [&](auto rows, auto value) {
-      if (!rows.empty())
-        std::transform(seen.begin(), seen.end(), rows.begin() + static_cast<std::ptrdiff_t>(first),
-                       value);
-    };
-    put_each(answers_.visibility, [](const Visibility& v) { return v; });
-    put_each(answers_.fraction, [](const Visibility& v) { return v.fraction; });
-    put_each(answers_.shadow_class, [](const Visibility& v) { return v.shadow_class; });
+  void put(std::size_t point, const AnswerRows& rows, std::size_t i) const {
+    if (!answers_.visibility.empty()) answers_.visibility[point] = rows.seen[i];
+    if (!answers_.fraction.empty()) answers_.fraction[point] = rows.seen[i].fraction;
+    if (!answers_.shadow_class.empty()) answers_.shadow_class[point] = rows.seen[i].shadow_class;
+    for (std::size_t word = 0; word < rows.words() && !rows.free_samples.empty(); ++word)
+      answers_.free_samples[point * rows.words() + word] =
+          rows.free_samples[i * rows.words() + word];
   }
 
   ShadowQuery query_of(std::size_t i) const {
@@ -160,14 +156,13 @@ class Asker {
             options_.light_index ? light_key(key, *options_.light_index) : key};
   }
 
-  void report(std::size_t count) {
-    if (!options_.progress) return;
+  void report(std::size_t count, const ShadowCounters& counters) {
     const std::lock_guard lock(mutex_);
+    counters_.add(counters);
     done_ += count;
-    if (is_cancelled_) return;
-    if (!options_.progress(static_cast<double>(done_) /
-                           static_cast<double>(points_.positions.size())))
-      is_cancelled_ = true;
+    if (!options_.progress || is_cancelled_) return;
+    is_cancelled_ = !options_.progress(static_cast<double>(done_) /
+                                       static_cast<double>(points_.positions.size()));
   }
 
   const Committed& occluders_;
@@ -175,8 +170,9 @@ class Asker {
   const LightShape& light_;
   const AskOptions& options_;
   const Answers& answers_;
-  tbb::enumerable_thread_specific<Scratch> scratch_;
+  std::vector<std::uint32_t> order_;  // empty: points are asked about as they come
   std::mutex mutex_;
+  ShadowCounters counters_;
   std::size_t done_ = 0;
   std::atomic<bool> is_cancelled_ = false;
 };

@@ -116,6 +116,8 @@ std::vector<PrimitiveId> names_of(const Committed& occluders,
   return names;
 }
 
+constexpr std::uint32_t samples_worth_all_proofs = 256;
+
 Blockers answer(const Committed& occluders, const Question& question, ShadowClass shadow_class) {
   if (shadow_class == ShadowClass::lit) return {shadow_class, {}};
   return {shadow_class, names_of(occluders, Gatherer(question).gather())};
@@ -128,13 +130,13 @@ Blockers blockers_of_point(const Committed& occluders, const Receiver& receiver,
   const Box box{receiver.position, receiver.position};
   const Question question{
       with_light(occluders.shadows, light, Method::shaft, box), {{receiver, 0}}, box};
-  constexpr std::uint32_t samples_worth_all_proofs = 256;
-  VisibilityScratch scratch(samples_worth_all_proofs);
+  auto scratch = occluders.scratch_pool.take(samples_worth_all_proofs);
   OccluderQueue queue;
   ShadowCounters counters;
   Visibility seen;
-  visibilities(question.scene, 0, question.queries, queue, scratch, counters,
+  visibilities(question.scene, 0, question.queries, queue, scratch->visibility, counters,
                AnswerRows{.seen = {&seen, 1}, .wanted = Wanted::shadow_class});
+  occluders.scratch_pool.give_back(std::move(scratch));
   return answer(occluders, question, seen.shadow_class);
 }
 
@@ -145,10 +147,12 @@ Blockers blockers_of_box(const Committed& occluders, const Box& box, const Light
     corners[i].position = {i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y,
                            i & 4 ? box.hi.z : box.lo.z};
   for (const Receiver& corner : corners) question.queries.push_back({corner, 0});
-  VisibilityScratch scratch(1);
+  auto scratch = occluders.scratch_pool.take(samples_worth_all_proofs);
   OccluderQueue queue;
   ShadowCounters counters;
-  const HullProof proof = prove_hull(question.scene, 0, corners, queue, scratch, counters);
+  const HullProof proof =
+      prove_hull(question.scene, 0, corners, queue, scratch->visibility, counters);
+  occluders.scratch_pool.give_back(std::move(scratch));
   return answer(occluders, question, proof.shadow_class);
 }
 

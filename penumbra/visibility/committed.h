@@ -4,18 +4,24 @@
 
 #include <cstddef>
 #include <memory>
+#include <utility>
 
 #include "penumbra/geometry/box.h"
 #include "penumbra/kernel/kernel.h"
 #include "penumbra/shadow/shadow_scene.h"
 #include "penumbra/visibility/gather.h"
+#include "penumbra/visibility/scratch_pool.h"
 
 namespace penumbra {
 
 struct Committed {
+  Committed(Kernel kernel_, OccluderNames names_)
+      : kernel(std::move(kernel_)), names(std::move(names_)) {}
+
   Kernel kernel;
   ShadowScene shadows;  ///< for `shaft`, without lights; refers to the kernel
   OccluderNames names;
+  mutable ScratchPool scratch_pool;
 
   std::size_t memory_bytes() const { return kernel.memory_bytes() + shadows.memory_bytes(); }
 };

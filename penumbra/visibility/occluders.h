@@ -170,8 +170,10 @@ class Occluders {
 
   // --- Questions. Before the first `commit` they throw. `light` as penumbra::LightShape says. ---
 
-  /// Class of each point: lit and umbra are proofs, penumbra means that neither was found. No
-  /// sample is traced. Cost: 5 to 500 ns a point, less where neighbours follow one another.
+  /// Class of each point, for the light as a whole: lit (nothing blocks what of it is above the
+  /// point's horizon) and umbra (all of it is blocked, or below) are proofs, penumbra means that
+  /// neither was found. No sample is taken, but by `stochastic`, whose classes are those of its
+  /// samples. Cost: 5 to 500 ns a point, less where neighbours follow one another.
   ShadowCounters classify(const Points& points, const LightShape& light, std::span<ShadowClass> out,
                           const AskOptions& options = {}) const;
   std::vector<ShadowClass> classify(const Points& points, const LightShape& light,

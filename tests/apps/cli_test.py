@@ -11,7 +11,7 @@ import time
 
 from cli_case import NFF, SMALL, CliTest, exr, main
 
-COMMANDS = ["render", "info", "generate", "compare", "bench"]
+COMMANDS = ["render", "bake", "info", "generate", "compare", "bench", "visibility"]
 BUILT_IN = ["cylinders", "balls", "rings", "molecule", "bust"]
 
 

@@ -171,15 +171,19 @@ TEST(SmoothNormals, SplitVerticesAtCreases) {
   Mesh mesh = cube();
   mesh.uvs.assign(8, {0.25f, 0.5f});
   mesh.uvs[7] = {7, 7};
+  mesh.lightmap_uvs.assign(8, {});
+  mesh.lightmap_uvs[7] = {8, 8};
   add_smooth_normals(mesh, 1);
   EXPECT_EQ(mesh.positions.size(), 24u);
   EXPECT_EQ(mesh.uvs.size(), 24u);
+  EXPECT_EQ(mesh.lightmap_uvs.size(), 24u);
   for (const Triangle& t : mesh.triangles) {
     const Vec3f a = mesh.positions[t[0]];
     const Vec3f face = normalize(cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a));
     for (std::uint32_t corner : t) {
       EXPECT_EQ(mesh.normals[corner], face);
       EXPECT_EQ(mesh.uvs[corner].u == 7, mesh.positions[corner] == Vec3f(1, 1, 1));
+      EXPECT_EQ(mesh.lightmap_uvs[corner].v == 8, mesh.positions[corner] == Vec3f(1, 1, 1));
     }
   }
 }

@@ -127,6 +127,7 @@ TEST(Validate, IndicesMustExist) {
 TEST(Validate, ArraysMustFitEachOther) {
   EXPECT_NE(problem_after([](Scene& s) { mesh(s).normals.resize(2); }), "");
   EXPECT_NE(problem_after([](Scene& s) { mesh(s).uvs.resize(4); }), "");
+  EXPECT_NE(problem_after([](Scene& s) { mesh(s).lightmap_uvs.resize(4); }), "");
   EXPECT_NE(problem_after([](Scene& s) { mesh(s).colors.resize(1); }), "");
   EXPECT_NE(problem_after([](Scene& s) { mesh(s).surfaces.resize(2); }), "");
   EXPECT_NE(problem_after([](Scene& s) { s.textures = {{2, 2, {{1, 1, 1}}}}; }), "");

@@ -106,6 +106,26 @@ TEST(ImageIo, PngWithoutColoursIsAnError) {
   EXPECT_THROW(to_png("x.png", image, 0), Error);
 }
 
+TEST(ImageIo, GreyPngHoldsPlainValuesOrSrgbCodes) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const Image image{5, 1, {{"Y", {0, 0.25f, 1, 2, nan}}}, {{"Software", "test"}}};
+  const auto stored = [&](const GreyCoding& coding, std::size_t i) {
+    const Image back = from_png("x.png", to_grey_png("x.png", image, coding));
+    EXPECT_EQ(back.metadata, image.metadata);
+    return back.channels.at(0).values.at(i);
+  };
+  EXPECT_EQ(stored({}, 1), 64.0f / 255);
+  EXPECT_EQ(stored({16, false}, 1), 16384.0f / 65535);
+  EXPECT_EQ(stored({8, true}, 1), 137.0f / 255);
+  for (const GreyCoding coding : {GreyCoding{}, GreyCoding{16, false}, GreyCoding{8, true}}) {
+    EXPECT_EQ(stored(coding, 0), 0);
+    EXPECT_EQ(stored(coding, 2), 1);
+    EXPECT_EQ(stored(coding, 3), 1);
+    EXPECT_EQ(stored(coding, 4), 0);
+  }
+  EXPECT_THROW(to_grey_png("x.png", ramp(2, 2), {}), Error);
+}
+
 TEST(ImageIo, EveryTruncationIsAnError) {
   const std::string png = to_png("x", ramp(9, 9), 0), exr = to_exr("x", ramp(9, 9));
   for (std::size_t size = 0; size < png.size(); ++size)

@@ -63,6 +63,28 @@ TEST(ReadAssimp, collada_with_transform_up_axis_and_colour) {
   EXPECT_EQ(scene.materials[mesh.surface].diffuse, (Color{0.75f, 0.125f, 0.125f}));
 }
 
+TEST(ReadAssimp, the_second_set_of_texture_coordinates) {
+  std::string text = collada;
+  const auto insert = [&](const std::string& before, const std::string& what) {
+    text.insert(text.find(before), what);
+  };
+  for (const char* set : {"s", "t"})
+    insert("<vertices", std::string("<source id=\"") + set + "\"><float_array id=\"" + set +
+                            "a\" count=\"6\">0 0 1 0 " + (*set == 's' ? "0 1" : "0.5 0.25") +
+                            "</float_array><technique_common><accessor source=\"#" + set +
+                            "a\" count=\"3\" stride=\"2\"><param name=\"S\" type=\"float\"/>"
+                            "<param name=\"T\" type=\"float\"/></accessor></technique_common>"
+                            "</source>");
+  insert("<p>", R"(<input semantic="TEXCOORD" source="#s" offset="0" set="0"/>)"
+                R"(<input semantic="TEXCOORD" source="#t" offset="0" set="1"/>)");
+  const Mesh mesh = read(source_of("t.dae", text)).shapes.meshes.at(0);
+  ASSERT_EQ(mesh.uvs.size(), 3u);
+  ASSERT_EQ(mesh.lightmap_uvs.size(), 3u);
+  EXPECT_EQ(mesh.uvs[2].v, 1);
+  EXPECT_EQ(mesh.lightmap_uvs[2].u, 0.5f);
+  EXPECT_EQ(mesh.lightmap_uvs[2].v, 0.25f);
+}
+
 TEST(ReadAssimp, damaged_files_are_errors_with_its_words) {
   const std::string error = error_of([] { read(source_of("t.dae", collada.substr(0, 500))); });
   EXPECT_TRUE(holds(error, "t.dae: assimp could not read it: "));

@@ -102,6 +102,44 @@ TEST(ReadGltf, transmission_refracts_with_a_volume) {
   EXPECT_EQ(read(text).scene.materials[0].refraction_index, 1.33f);
 }
 
+/// The mesh of a file with these attributes: 2 is (0, 0) (0, 1) ..., 3 is (0, 0) (0, 1) (0, 1) ...
+Mesh with_uv_sets(const std::string& attributes, const std::string& transform = "") {
+  GltfText text;
+  const std::string vec2 = R"(},{"componentType":5126,"type":"VEC2","count":4,"bufferView":0)";
+  text.indices += vec2 + vec2 + R"(,"byteOffset":16)";
+  text.primitive = R"(,"material":0)";
+  text.rest = R"(,"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0)" +
+              transform + R"(}}}],"textures":[{"source":0}],
+              "images":[{"uri":"data:image/png;base64,)" +
+              tiny_png_base64() + R"("}])";
+  std::string json = text.json();
+  const std::string position = R"("POSITION":0)";
+  json.replace(json.find(position), position.size(), position + attributes);
+  return read_valid(source_of("t.gltf", json)).scene.shapes.meshes.at(0);
+}
+
+TEST(ReadGltf, the_second_set_of_texture_coordinates_is_that_of_lightmaps) {
+  const Mesh one = with_uv_sets(R"(,"TEXCOORD_0":2)");
+  EXPECT_EQ(one.uvs.size(), 4u);
+  EXPECT_TRUE(one.lightmap_uvs.empty());
+  EXPECT_EQ(one.name, "mesh 0");
+  const Mesh two = with_uv_sets(R"(,"TEXCOORD_0":2,"TEXCOORD_1":3)");
+  EXPECT_EQ(two.uvs[2].v, 1);  // 0 downwards
+  ASSERT_EQ(two.lightmap_uvs.size(), 4u);
+  EXPECT_EQ(two.lightmap_uvs[2].v, 0);  // 1 downwards
+  EXPECT_EQ(two.lightmap_uvs[3].u, 1);
+}
+
+TEST(ReadGltf, lightmaps_do_not_follow_a_textures_transform) {
+  const std::string doubled = R"(,"extensions":{"KHR_texture_transform":{"scale":[2,2]}})";
+  const Mesh one = with_uv_sets(R"(,"TEXCOORD_0":3)", doubled);
+  EXPECT_EQ(one.uvs[3].u, 2);
+  ASSERT_EQ(one.lightmap_uvs.size(), 4u);
+  EXPECT_EQ(one.lightmap_uvs[3].u, 1);
+  const Mesh two = with_uv_sets(R"(,"TEXCOORD_0":3,"TEXCOORD_1":3)", doubled);
+  EXPECT_EQ(two.lightmap_uvs[3].u, 1);
+}
+
 TEST(ReadGltf, texture_coordinates_grow_upwards_and_are_transformed) {
   EXPECT_FLOAT_EQ(to_uv({}, 0.25f, 0.25f).u, 0.25f);
   EXPECT_FLOAT_EQ(to_uv({}, 0.25f, 0.25f).v, 0.75f);

@@ -143,6 +143,22 @@ TEST(Blockers, are_named_by_instance_as_well) {
   EXPECT_EQ(own.primitives, (std::vector<PrimitiveId>{{0, 0}, {0, 1, 1}}));
 }
 
+// A sliver of the light that is above the horizon, which most sets of samples miss.
+TEST(Blockers, prove_nothing_by_samples_that_miss_what_is_above_the_horizon) {
+  Occluders occluders;
+  const std::vector<Vec3f> centers{{0, 0, 100}};
+  const std::vector<float> radii{1};
+  occluders.add_spheres(centers, radii);
+  occluders.commit();
+  for (const float above : {0.3f, 1e-2f, 1e-3f, 1e-4f}) {
+    const BallLight light{{0, above - 1, 5}, 1};
+    const Blockers blockers = occluders.blockers({0, 0, 0}, {0, 1, 0}, light);
+    EXPECT_NE(blockers.shadow_class, ShadowClass::umbra) << above;
+  }
+  EXPECT_EQ(occluders.blockers({0, 0, 0}, {0, 1, 0}, BallLight{{0, -2, 5}, 1}).shadow_class,
+            ShadowClass::umbra);
+}
+
 TEST(Blockers, of_what_is_wholly_lit_are_none) {
   const BustAndBalls scene;
   const Vec3f high = scene.box.center() + Vec3f{0, 0, 20 * scene.size};

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <stdexcept>
 
 #include "penumbra/scene_io/read_mtl.h"
+#include "penumbra/scene_io/read_points.h"
 #include "penumbra/scene_io/source.h"
 #include "tests/scene_io/fuzz/mutation.h"
 
@@ -16,6 +18,23 @@ namespace {
 void check_message(const std::string& message) {
   if (message.empty() || message.size() > 1000)
     throw std::runtime_error("a message is empty or too long");
+}
+
+/// Points are no scenes either, and read some at a time.
+std::optional<PointFormat> point_format(const std::string& name) {
+  if (name == "csv") return PointFormat::csv;
+  if (name == "npy") return PointFormat::npy;
+  if (name == "points_ply") return PointFormat::ply;
+  return {};
+}
+
+std::vector<std::string> read_points(const Source& source, PointFormat format) {
+  PointReader reader(source.path.string(), source.bytes, format);
+  PointBlock block;
+  while (reader.next(block, 100))
+    if (reader.has_normals() != (block.normals.size() == block.positions.size()))
+      throw std::runtime_error("not each point has its normal");
+  return {};
 }
 
 /// Material files are no scenes: a sphere wears the materials.
@@ -61,7 +80,9 @@ std::string input_of(const FuzzFormat& format, std::uint64_t seed) {
 Outcome read_input(const FuzzFormat& format, std::string bytes) {
   const Source source{format.folder / ("input." + format.name), format.name, std::move(bytes)};
   try {
-    const std::vector<std::string> warnings = format.name == "mtl"
+    const std::optional<PointFormat> points = point_format(format.name);
+    const std::vector<std::string> warnings = points ? read_points(source, *points)
+                                              : format.name == "mtl"
                                                   ? read_materials(source)
                                                   : read_source(source, {.waters = true}).warnings;
     if (warnings.size() > 100) throw std::runtime_error("too many kinds of warnings");

@@ -1,0 +1,22 @@
+# `cpack -G DEB` in the build folder: one package for Debian 12 with program, libraries and headers.
+set(CPACK_PACKAGE_NAME penumbra)
+set(CPACK_PACKAGE_VENDOR penumbra)
+set(CPACK_PACKAGE_CONTACT "the authors of penumbra <noreply@invalid>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "soft shadows at the price of hard ones")
+set(CPACK_PACKAGE_DESCRIPTION
+"Renders scenes with area lights, and says which part of a light points see:
+each is first proven lit or in umbra, and rays are traced only where neither
+is proven. Program, C++ and C library, headers.")
+set(CPACK_GENERATOR TGZ)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/library)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS gnuplot-nox)  # draws the plots of `penumbra reproduce`
+if(TARGET penumbra_python)
+  set(CPACK_DEBIAN_PACKAGE_RECOMMENDS python3-numpy)
+endif()
+include(CPack)
