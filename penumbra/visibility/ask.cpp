@@ -149,7 +149,7 @@ class Asker {
 
   ShadowQuery query_of(std::size_t i) const {
     const Vec3f position = points_.positions[i];
-    const Vec3f normal = points_.normals.empty() ? Vec3f{} : unit(points_.normals[i]);
+    const Vec3f normal = points_.normals.empty() ? Vec3f{} : receiver_normal(points_.normals[i]);
     const float offset = points_.offset ? *points_.offset : automatic_offset(occluders_, position);
     const std::uint64_t key = points_.keys.empty() ? points_.first_key + i : points_.keys[i];
     return {{offset != 0 ? position + normal * offset : position, normal},
@@ -198,6 +198,8 @@ LightShape checked_light(const Committed& occluders, LightShape light) {
                 "use a sun, or a ball");
   return checked_light(std::move(light));
 }
+
+Vec3f receiver_normal(Vec3f normal) { return is_finite(normal) ? unit(normal) : normal; }
 
 float automatic_offset(const Committed& occluders, Vec3f position) {
   const Box box = occluders.kernel.bounds();

@@ -34,6 +34,10 @@ LightShape checked_light(const Committed& occluders, LightShape light);
 /// Throws Error for a number of samples that cannot be meant.
 void require_samples(std::uint32_t shadow_samples);
 
+/// Unit, and 0 for a point that floats; what is no number stays none, so that the class is in
+/// doubt.
+Vec3f receiver_normal(Vec3f normal);
+
 /// By which points are moved unless the caller says how far.
 float automatic_offset(const Committed& occluders, Vec3f position);
 

@@ -257,7 +257,8 @@ ShadowCounters Occluders::visible_samples(const Points& points, const LightShape
 
 Blockers Occluders::blockers(Vec3f position, Vec3f normal, const LightShape& light) const {
   const auto occluders = committed(data_->current());
-  return blockers_of_point(*occluders, {position, unit(normal)}, checked_light(*occluders, light));
+  return blockers_of_point(*occluders, {position, receiver_normal(normal)},
+                           checked_light(*occluders, light));
 }
 
 Blockers Occluders::shaft(const Box& box, const LightShape& light) const {

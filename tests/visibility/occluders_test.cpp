@@ -233,6 +233,9 @@ TEST(Occluders, with_numbers_that_are_none_are_in_doubt) {
   const std::vector<Vec3f> points{{nan, 0, 0}, {0, INFINITY, 0}, {1e30f, 0, 0}};
   for (const ShadowClass seen : roof.occluders.classify(on_floor(points), lamp))
     EXPECT_EQ(seen, ShadowClass::penumbra);
+  const std::vector<Vec3f> here{{0, 0, 0}}, nowhere{{0, nan, 1}};
+  const Points turned{.positions = here, .normals = nowhere};
+  EXPECT_EQ(roof.occluders.classify(turned, lamp)[0], ShadowClass::penumbra);
 }
 
 TEST(Occluders, answer_alike_on_any_number_of_threads) {
