@@ -2,8 +2,8 @@
 """bake_gltf.py PENUMBRA [FOLDER]: soft shadows baked into a glTF file, for viewers that have none.
 
 Blocks on a floor, a place in the texture for each of their sides: model.glb. `penumbra bake` fills the texture with
-what each texel sees of two lamps: shadow.png. The same model with that as its colour, times that of its material, not
-lit again (KHR_materials_unlit): baked.glb, for any viewer or game engine. PENUMBRA is the program.
+what each texel sees of a lamp and a sky: shadow.png. The same model with that as its colour, times that of its material,
+not lit again (KHR_materials_unlit): baked.glb, for any viewer or game engine. PENUMBRA is the program.
 """
 import json
 import pathlib
@@ -14,8 +14,8 @@ import sys
 import numpy as np
 
 CELLS = 6  # a side of the texture; each holds one quad
-TEXELS = 768
-LAMPS = ["--light", "sphere", "3", "5", "2.5", "0.5", "--light", "sphere", "-4", "4", "3", "1.2"]
+TEXELS = 480
+LIGHTS = ["--light", "sphere", "-4", "5", "-1", "0.5", "--light", "disk", "0", "9", "0", "0", "1", "0", "7"]
 COLORS = {"floor": (0.9, 0.88, 0.84), "red": (0.85, 0.3, 0.22), "blue": (0.25, 0.45, 0.8),
           "green": (0.4, 0.65, 0.3), "yellow": (0.95, 0.75, 0.25)}
 
@@ -90,12 +90,12 @@ def main():
     quads = model()
     write_glb(folder / "model.glb", quads)
     subprocess.run([program, "bake", folder / "model.glb", "-o", folder / "shadow.png", "--channel", "mean", "--srgb",
-                    "--weight", "cosine", "--size", f"{TEXELS}x{TEXELS}", "--ground", "none", *LAMPS], check=True)
+                    "--weight", "cosine", "--size", f"{TEXELS}x{TEXELS}", "--ground", "none", *LIGHTS], check=True)
     write_glb(folder / "baked.glb", quads, (folder / "shadow.png").read_bytes())
     # A look at it, by no more light than shows textures as they are.
     subprocess.run([program, "render", folder / "baked.glb", "-o", folder / "baked.png", "--ground", "none",
                     "--spp", "4", "--ambient", "1,1,1", "--light", "point", "0", "9", "0", "0", "0", "0",
-                    "--from", "5,6,9", "--at", "0,0.5,0", "--fov", "45", "--size", "640x480"], check=True)
+                    "--from", "5,6,9", "--at", "0.2,0.4,0.3", "--fov", "36", "--size", "640x480"], check=True)
 
 
 if __name__ == "__main__":

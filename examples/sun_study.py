@@ -70,7 +70,7 @@ def plot(path, block, step, results):
     """A map of the front a day, and the plan of the block, by gnuplot."""
     x0, x1, _, _, height = block[0]
     most = max(hours.max() for hours in results.values())
-    commands = ["set terminal pngcairo size 1240,860 font 'sans,11'", f"set output '{path}'",
+    commands = ["set terminal pngcairo size 1240,700 font 'sans,11'", f"set output '{path}'",
                 "set multiplot layout 2,2", "set tics out nomirror",
                 "set palette defined (0 '#1b1e3c', 0.35 '#8a3b6b', 0.7 '#f2884b', 1 '#fff3b0')",
                 f"set cbrange [0:{most:.3g}]", "set cblabel 'hours'", "set size ratio -1", "unset key"]

@@ -48,7 +48,7 @@ inline Mesh read_ply(const char* path) {
   if (!file || faces == 0) throw std::runtime_error(std::string(path) + ": not such a PLY file");
   // A ground under it.
   const unsigned n = static_cast<unsigned>(mesh.positions.size());
-  for (Vec corner : {Vec{-40, -40, -3}, Vec{40, -40, -3}, Vec{0, 60, -3}})
+  for (Vec corner : {Vec{-400, -99, -3.05f}, Vec{400, -99, -3.05f}, Vec{0, 400, -3.05f}})
     mesh.positions.push_back(corner);
   mesh.triangles.push_back({{n, n + 1, n + 2}});
   return mesh;
