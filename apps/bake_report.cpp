@@ -7,6 +7,7 @@
 
 #include "options.h"
 #include "output_files.h"
+#include "penumbra/version.h"
 #include "resources.h"
 
 namespace penumbra {
