@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <mutex>
 #include <utility>
 
+#include "penumbra/kernel/more_threads.h"
 #include "penumbra/trace/bake_block.h"
 #include "penumbra/trace/clock.h"
 #include "penumbra/trace/dilate.h"
@@ -87,7 +87,7 @@ Bake bake(const Scene& scene, const ShadowScene& shadows, const UvAtlas& atlas,
     ++done;
     if (options.progress) options.progress(double(done) / double(atlas.block_count()));
   };
-  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, result.threads);
+  const MoreThreads allowed(result.threads);
   tbb::enumerable_thread_specific<VisibilityScratch> memory(options.shadow_samples);
   tbb::task_arena arena(static_cast<int>(result.threads));
   arena.execute([&] {

@@ -2,12 +2,12 @@
 #include "penumbra/trace/render.h"
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <mutex>
 
+#include "penumbra/kernel/more_threads.h"
 #include "penumbra/trace/block.h"
 #include "penumbra/trace/clock.h"
 #include "penumbra/trace/layers.h"
@@ -79,8 +79,7 @@ Picture render(const Scene& scene, const ShadowScene& shadows, const RenderOptio
   Totals totals(std::uint64_t(options.width) * options.height, options.progress);
   const std::uint32_t edge = (options.tile + block_edge - 1) / block_edge * block_edge;
   const Squares tiles({0, options.width, 0, options.height}, edge);
-  // More threads than cores must be possible: results are promised for any number.
-  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, picture.threads);
+  const MoreThreads allowed(picture.threads);
   tbb::enumerable_thread_specific<VisibilityScratch> memory(options.shadow_samples);
   tbb::task_arena arena(static_cast<int>(picture.threads));
   arena.execute([&] {

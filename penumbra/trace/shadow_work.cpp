@@ -2,7 +2,6 @@
 #include "penumbra/trace/shadow_work.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -11,6 +10,7 @@
 #include <mutex>
 #include <utility>
 
+#include "penumbra/kernel/more_threads.h"
 #include "penumbra/trace/clock.h"
 #include "penumbra/trace/prepare.h"
 
@@ -52,7 +52,7 @@ WorkDone answer_by(const ShadowWork& work, std::span<Worker> workers, std::span<
   std::vector<Desk> desks(workers.size());
   for (Desk& desk : desks) desk.seen.resize(longest);
   const std::size_t blocks = work.blocks.size() - 1;
-  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, workers.size());
+  const MoreThreads allowed(workers.size());
   tbb::task_arena arena(static_cast<int>(workers.size()));
   arena.initialize();
 

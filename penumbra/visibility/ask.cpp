@@ -13,10 +13,10 @@
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "penumbra/kernel/more_threads.h"
 #include "penumbra/scene/check_light.h"
 #include "penumbra/scene/error.h"
 #include "penumbra/shadow/visibility.h"
@@ -78,9 +78,7 @@ class Asker {
       // Of the caller's own tasks, none is taken up by a thread that waits here.
       tbb::this_task_arena::isolate([&] { answer_all(); });
     } else {
-      // More threads than cores must be possible: results are promised for any number.
-      const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
-                                        options_.threads);
+      const MoreThreads allowed(options_.threads);
       tbb::task_arena(static_cast<int>(options_.threads)).execute([&] { answer_all(); });
     }
     if (is_cancelled_) throw Cancelled();

@@ -88,6 +88,11 @@ void require_few(std::size_t rows) {
 
 }  // namespace
 
+Occluders::Data& Occluders::data() const {
+  if (!data_) fail("the occluders were moved elsewhere", "use those that they were moved to");
+  return *data_;
+}
+
 Occluders::Occluders() : data_(std::make_unique<Data>()) {}
 Occluders::~Occluders() = default;
 Occluders::Occluders(Occluders&&) noexcept = default;
@@ -96,9 +101,9 @@ Occluders& Occluders::operator=(Occluders&&) noexcept = default;
 GeometryId Occluders::add(const GeometryRows& rows) {
   require_few(rows.positions.size());
   require_few(rows.triangles.size());
-  const std::lock_guard lock(data_->description_mutex);
-  const GeometryId id{add_to(data_->description.geometries, rows, "geometries")};
-  data_->has_new_parts = true;
+  const std::lock_guard lock(data().description_mutex);
+  const GeometryId id{add_to(data().description.geometries, rows, "geometries")};
+  data().has_new_parts = true;
   return id;
 }
 
@@ -141,91 +146,91 @@ GroupId Occluders::add_group(const Occluders& shapes) {
   if (&shapes == this) fail("a group of itself", "give another object's shapes");
   Numbered<GeometryRows> geometries;
   {
-    const std::lock_guard lock(shapes.data_->description_mutex);
-    for (const auto& instance : shapes.data_->description.instances)
+    const std::lock_guard lock(shapes.data().description_mutex);
+    for (const auto& instance : shapes.data().description.instances)
       if (instance) fail("a group has instances", "compose the placements");
-    geometries = shapes.data_->description.geometries;
+    geometries = shapes.data().description.geometries;
   }
-  const std::lock_guard lock(data_->description_mutex);
-  return {add_to(data_->description.groups, std::move(geometries), "groups")};
+  const std::lock_guard lock(data().description_mutex);
+  return {add_to(data().description.groups, std::move(geometries), "groups")};
 }
 
 InstanceId Occluders::add_instance(GroupId group, const Transform& placement) {
-  const std::lock_guard lock(data_->description_mutex);
-  at(data_->description.groups, group.index, "group");
+  const std::lock_guard lock(data().description_mutex);
+  at(data().description.groups, group.index, "group");
   const Instance instance{group.index, placement};
-  const InstanceId id{add_to(data_->description.instances, instance, "instances")};
-  data_->has_new_parts = true;
+  const InstanceId id{add_to(data().description.instances, instance, "instances")};
+  data().has_new_parts = true;
   return id;
 }
 
 void Occluders::update(GeometryId geometry, VectorRows positions) {
-  const std::lock_guard lock(data_->description_mutex);
-  move_rows(*at(data_->description.geometries, geometry.index, "geometry"), positions);
+  const std::lock_guard lock(data().description_mutex);
+  move_rows(*at(data().description.geometries, geometry.index, "geometry"), positions);
 }
 
 void Occluders::update(GroupId group, GeometryId geometry, VectorRows positions) {
-  const std::lock_guard lock(data_->description_mutex);
-  auto& geometries = *at(data_->description.groups, group.index, "group");
+  const std::lock_guard lock(data().description_mutex);
+  auto& geometries = *at(data().description.groups, group.index, "group");
   move_rows(*at(geometries, geometry.index, "geometry"), positions);
 }
 
 void Occluders::update(InstanceId instance, const Transform& placement) {
-  const std::lock_guard lock(data_->description_mutex);
-  at(data_->description.instances, instance.index, "instance")->placement = placement;
+  const std::lock_guard lock(data().description_mutex);
+  at(data().description.instances, instance.index, "instance")->placement = placement;
 }
 
 void Occluders::keep(std::shared_ptr<const void> owner) {
-  const std::lock_guard lock(data_->description_mutex);
-  data_->owners.push_back(std::move(owner));
+  const std::lock_guard lock(data().description_mutex);
+  data().owners.push_back(std::move(owner));
 }
 
 void Occluders::remove(GeometryId geometry) {
-  const std::lock_guard lock(data_->description_mutex);
-  at(data_->description.geometries, geometry.index, "geometry").reset();
-  data_->has_new_parts = true;
+  const std::lock_guard lock(data().description_mutex);
+  at(data().description.geometries, geometry.index, "geometry").reset();
+  data().has_new_parts = true;
 }
 
 void Occluders::remove(InstanceId instance) {
-  const std::lock_guard lock(data_->description_mutex);
-  at(data_->description.instances, instance.index, "instance").reset();
-  data_->has_new_parts = true;
+  const std::lock_guard lock(data().description_mutex);
+  at(data().description.instances, instance.index, "instance").reset();
+  data().has_new_parts = true;
 }
 
 void Occluders::remove(GroupId group) {
-  const std::lock_guard lock(data_->description_mutex);
-  auto& removed = at(data_->description.groups, group.index, "group");
-  for (const auto& instance : data_->description.instances)
+  const std::lock_guard lock(data().description_mutex);
+  auto& removed = at(data().description.groups, group.index, "group");
+  for (const auto& instance : data().description.instances)
     if (instance && instance->group == group.index)
       fail(fmt::format("group {} is placed by instances", group.index), "remove these first");
   removed.reset();
 }
 
 CommitReport Occluders::commit(const CommitOptions& options) {
-  const std::lock_guard lock(data_->description_mutex);
-  GatheredShapes gathered = gather(data_->description);
+  const std::lock_guard lock(data().description_mutex);
+  GatheredShapes gathered = gather(data().description);
   CommitReport report{primitive_count(gathered.shapes), gathered.degenerate_triangles, false};
-  const std::shared_ptr<const Committed> before = data_->current();
+  const std::shared_ptr<const Committed> before = data().current();
   std::shared_ptr<const Committed> made;
-  if (before && options.may_refit && !data_->has_new_parts) made = refitted(*before, gathered);
+  if (before && options.may_refit && !data().has_new_parts) made = refitted(*before, gathered);
   report.is_refitted = made != nullptr;
   if (!made) made = build(std::move(gathered));
-  data_->has_new_parts = false;
-  const std::lock_guard swap_lock(data_->committed_mutex);
-  data_->committed = std::move(made);
+  data().has_new_parts = false;
+  const std::lock_guard swap_lock(data().committed_mutex);
+  data().committed = std::move(made);
   return report;
 }
 
 ShadowCounters Occluders::visibility(const Points& points, const LightShape& light,
                                      std::span<Visibility> out, const AskOptions& options) const {
   require_room(out.size(), points);
-  return ask(*committed(data_->current()), points, light, options, {.visibility = out});
+  return ask(*committed(data().current()), points, light, options, {.visibility = out});
 }
 
 ShadowCounters Occluders::classify(const Points& points, const LightShape& light,
                                    std::span<ShadowClass> out, const AskOptions& options) const {
   require_room(out.size(), points);
-  return ask(*committed(data_->current()), points, light, options, {.shadow_class = out});
+  return ask(*committed(data().current()), points, light, options, {.shadow_class = out});
 }
 
 std::vector<ShadowClass> Occluders::classify(const Points& points, const LightShape& light,
@@ -238,7 +243,7 @@ std::vector<ShadowClass> Occluders::classify(const Points& points, const LightSh
 ShadowCounters Occluders::visible_fraction(const Points& points, const LightShape& light,
                                            std::span<float> out, const AskOptions& options) const {
   require_room(out.size(), points);
-  return ask(*committed(data_->current()), points, light, options, {.fraction = out});
+  return ask(*committed(data().current()), points, light, options, {.fraction = out});
 }
 
 std::vector<float> Occluders::visible_fraction(const Points& points, const LightShape& light,
@@ -252,25 +257,25 @@ ShadowCounters Occluders::visible_samples(const Points& points, const LightShape
                                           std::span<std::uint32_t> out,
                                           const AskOptions& options) const {
   if (out.empty()) require_room(0, points);
-  return ask(*committed(data_->current()), points, light, options, {.free_samples = out});
+  return ask(*committed(data().current()), points, light, options, {.free_samples = out});
 }
 
 Blockers Occluders::blockers(Vec3f position, Vec3f normal, const LightShape& light) const {
-  const auto occluders = committed(data_->current());
+  const auto occluders = committed(data().current());
   return blockers_of_point(*occluders, {position, receiver_normal(normal)},
                            checked_light(*occluders, light));
 }
 
 Blockers Occluders::shaft(const Box& box, const LightShape& light) const {
-  const auto occluders = committed(data_->current());
+  const auto occluders = committed(data().current());
   if (box.is_empty() || !is_coordinate(box.lo) || !is_coordinate(box.hi))
     fail("the box of a shaft is empty, or reaches beyond 1e15", "give its lower corner first");
   return blockers_of_box(*occluders, box, checked_light(*occluders, light));
 }
 
-Box Occluders::bounds() const { return committed(data_->current())->kernel.bounds(); }
+Box Occluders::bounds() const { return committed(data().current())->kernel.bounds(); }
 
-std::size_t Occluders::memory_bytes() const { return committed(data_->current())->memory_bytes(); }
+std::size_t Occluders::memory_bytes() const { return committed(data().current())->memory_bytes(); }
 
 std::vector<Vec3f> light_samples(const LightShape& light, Vec3f position, std::uint64_t key,
                                  std::uint32_t shadow_samples, std::uint32_t light_index) {

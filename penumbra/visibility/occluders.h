@@ -208,6 +208,7 @@ class Occluders {
 
  private:
   struct Data;
+  Data& data() const;
   GeometryId add(const GeometryRows& rows);
   std::unique_ptr<Data> data_;
 };

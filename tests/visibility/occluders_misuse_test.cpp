@@ -83,6 +83,14 @@ TEST_F(OccludersMisuse, ArraysThatDisagreeAreNotAdded) {
   EXPECT_EQ(occluders.visible_fraction(points, light), before);
 }
 
+TEST_F(OccludersMisuse, WhatWasMovedElsewhereIsNotAsked) {
+  Occluders elsewhere = std::move(occluders);
+  expect_error([&] { occluders.commit(); }, "the occluders were moved elsewhere");
+  expect_error([&] { occluders.bounds(); }, "the occluders were moved elsewhere");
+  elsewhere.commit();
+  elsewhere.bounds();
+}
+
 TEST_F(OccludersMisuse, WhatWasNeverAddedOrWasRemovedIsNotNamed) {
   const GeometryId mesh = occluders.add_triangles(arrays.positions(), rows_of(arrays.triangles));
   const GroupId group = occluders.add_group(shapes);
