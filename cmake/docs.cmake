@@ -15,5 +15,6 @@ if(PENUMBRA_DOXYGEN)
   add_custom_target(penumbra_docs
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${docs_folder}/html
     COMMAND ${PENUMBRA_DOXYGEN} ${docs_folder}/doxygen
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_reference.py ${docs_folder}/warnings.txt
     WORKING_DIRECTORY ${docs_folder} VERBATIM)
 endif()

@@ -38,9 +38,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* Of this header. */
 #define PENUMBRA_C_API_VERSION 1
 
 #if defined(__GNUC__)
+/* Before what the library shows. */
 #define PENUMBRA_C_API __attribute__((visibility("default")))
 #else
 #define PENUMBRA_C_API
@@ -85,13 +87,16 @@ typedef struct penumbra_occluders {
 typedef struct penumbra_geometry {
   uint64_t id;
 } penumbra_geometry;
+/* What instances place. */
 typedef struct penumbra_group {
   uint64_t id;
 } penumbra_group;
+/* A placement of a group. */
 typedef struct penumbra_instance {
   uint64_t id;
 } penumbra_instance;
 
+/* Occluders without anything in them; what was made is released once. */
 PENUMBRA_C_API penumbra_error penumbra_create(penumbra_occluders* out);
 PENUMBRA_C_API penumbra_error penumbra_release(penumbra_occluders occluders);
 
@@ -160,6 +165,7 @@ PENUMBRA_C_API penumbra_error penumbra_move_instance(penumbra_occluders occluder
                                                      penumbra_instance instance,
                                                      const double* placement);
 
+/* Their handles are invalid from then on. A group must not be placed any more. */
 PENUMBRA_C_API penumbra_error penumbra_remove_geometry(penumbra_occluders occluders,
                                                        penumbra_geometry geometry);
 PENUMBRA_C_API penumbra_error penumbra_remove_instance(penumbra_occluders occluders,
@@ -167,11 +173,13 @@ PENUMBRA_C_API penumbra_error penumbra_remove_instance(penumbra_occluders occlud
 PENUMBRA_C_API penumbra_error penumbra_remove_group(penumbra_occluders occluders,
                                                     penumbra_group group);
 
+/* Filled with defaults by penumbra_default_commit_options. */
 typedef struct penumbra_commit_options {
   size_t struct_size;
   uint32_t may_refit; /* 0 or 1; 1 by default */
 } penumbra_commit_options;
 
+/* What was committed; 0 or 1 for `is_refitted`. */
 typedef struct penumbra_commit_report {
   size_t struct_size;
   uint64_t primitives, degenerate_triangles;
@@ -227,6 +235,7 @@ enum {
  * question with PENUMBRA_ERROR_CANCELLED. */
 typedef int (*penumbra_progress_function)(void* user, double share);
 
+/* Filled with defaults by penumbra_default_ask_options. */
 typedef struct penumbra_ask_options {
   size_t struct_size;
   uint32_t shadow_samples; /* d, 1 to 65536; 32 by default */
@@ -251,6 +260,7 @@ typedef struct penumbra_counters {
 /* Classes of points. */
 enum { PENUMBRA_CLASS_LIT = 0, PENUMBRA_CLASS_PENUMBRA = 1, PENUMBRA_CLASS_UMBRA = 2 };
 
+/* All that a point sees of a light. */
 typedef struct penumbra_visibility_row {
   float cosine_weighted, fraction;
   uint32_t shadow_class, rays;

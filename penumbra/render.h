@@ -39,6 +39,7 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
+  /// What it was made with.
   const Scene& scene() const;
   Method method() const;
   /// Of hierarchy and shadows, beside the scene.

@@ -9,30 +9,17 @@ import sys
 
 
 def of_c(text):
+    text = re.sub(r"^/\* SPDX.*\n/\*", "/** @file\n *", text)
+    text = re.sub(r"^ \*   (?=\S)", " *     ", text, flags=re.MULTILINE)  # Markdown's code
     text = re.sub(r"^(\s*)/\* --- (.*?) --- \*/", r"\1/* \2 */", text, flags=re.MULTILINE | re.DOTALL)
-    lines, in_head = [], True
-    for line in text.split("\n"):
-        if in_head and line.startswith("/*") and "SPDX" not in line:
-            line, in_head = line.replace("/*", "/** @file\n *", 1), False
-        else:
-            line = re.sub(r"^(\s*)/\* ", r"\1/** ", line)
-            line = re.sub(r"(?<=[;,{0-9]) /\* (.*)", r" /**< \1", line)
-        lines.append(line)
-    return "\n".join(lines)
+    text = re.sub(r"^(\s*)/\* ", r"\1/** ", text, flags=re.MULTILINE)
+    return re.sub(r"(?<=[;,{0-9]) /\* ", " /**< ", text)
 
 
 def of_cpp(text):
-    lines, in_head = [], False
-    for number, line in enumerate(text.split("\n")):
-        if number == 1 and line.startswith("//"):
-            lines.append("/// @file")
-            in_head = True
-        if in_head and line.startswith("//"):
-            line = "/" + line
-        else:
-            in_head = False
-        lines.append(line)
-    return "\n".join(lines)
+    head = re.match(r"// SPDX.*\n((?://.*\n)*)", text)
+    told = re.sub(r"^//(   (?=\S))?", lambda match: "///     " if match[1] else "///", head[1], flags=re.MULTILINE)
+    return "/// @file\n" + told + text[head.end():]
 
 
 if __name__ == "__main__":

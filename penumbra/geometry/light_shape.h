@@ -14,6 +14,7 @@
 
 namespace penumbra {
 
+/// No size: its shadows are hard.
 struct PointLight {
   Vec3f center;
 };
@@ -62,6 +63,7 @@ struct SunLight {
   float half_angle_rad = 0.00465f;  ///< half its angular diameter, in [0, pi/2)
 };
 
+/// Any of them.
 using LightShape = std::variant<PointLight, BallLight, ParallelogramLight, DiskLight, LineLight,
                                 PolygonLight, MeshLight, SunLight>;
 

@@ -14,6 +14,7 @@
 
 namespace penumbra {
 
+/// Whether a cone has its two disks.
 enum class Caps : std::uint8_t { open, capped };
 
 /// All points at distance `radius` (> 0) of the centre.
@@ -61,6 +62,7 @@ struct ShapeSet {
   std::vector<Instance> instances{};
 };
 
+/// The vectors of a ShapeSet, by what is in them.
 enum class ShapeKind : std::uint8_t { sphere, cone, ring, triangle };
 
 /// Names one primitive of a ShapeSet.
@@ -80,7 +82,7 @@ std::size_t primitive_count(const ShapeSet& shapes);
 /// The set's own primitives, in the order spheres, cones, rings, meshes.
 std::vector<ShapeRef> all_primitives(const ShapeSet& shapes);
 
-// Boxes with float corners that surely hold the exact shape (rounded outward from double).
+/// Boxes with float corners that surely hold the exact shape (rounded outward from double).
 Box bounds(const Sphere& sphere);
 Box bounds(const Cone& cone);
 Box bounds(const Ring& ring);

@@ -24,6 +24,7 @@ struct Vec3 {
   constexpr bool operator==(const Vec3&) const = default;
 };
 
+/// In scenes and rays, and while sets are built.
 using Vec3f = Vec3<float>;
 using Vec3d = Vec3<double>;
 

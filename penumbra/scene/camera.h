@@ -16,6 +16,7 @@ struct ImageWindow {
   double left = 0, top = 0, right = 1, bottom = 1;
 };
 
+/// Where a picture is taken from.
 struct Camera {
   Vec3d from{0, -4, 1}, at{}, up{0, 0, 1};
   double fov_deg =

@@ -10,13 +10,16 @@
 
 namespace penumbra {
 
+/// In scene units or per cent.
 struct LightRadius {
   float value = 0;
   bool is_percent = false;  ///< of the largest extent of the scene's objects
 };
 
+/// automatic: under bare models.
 enum class GroundChoice { automatic, none };
 
+/// What the user wishes; what is left out stays the file's, or a default.
 struct SceneOptions {
   std::optional<Camera> camera;  ///< replaces the file's; what follows changes it
   std::optional<Vec3d> from, at, up;

@@ -18,6 +18,7 @@ struct Error : std::runtime_error {
     std::optional<std::size_t> byte;  ///< offset from 0, for binary files
   };
 
+  /// `what` is wrong; the hint says what to do about it.
   Error(Place where, std::string what, std::string hint = {});
 
   Place place;

@@ -16,6 +16,7 @@ struct Channel {
   std::vector<float> values;
 };
 
+/// A picture: any number of planes of one size.
 struct Image {
   std::uint32_t width = 0, height = 0;
   std::vector<Channel> channels;

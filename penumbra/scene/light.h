@@ -24,6 +24,7 @@ struct Beam {
   float cos_full = -1, cos_none = -1;
 };
 
+/// A light of a scene.
 struct Light {
   LightShape shape;
   Color intensity{1, 1, 1};

@@ -16,6 +16,7 @@ using Color = Vec3f;  ///< linear RGB, Rec. 709 primaries
 /// By a factor in double, rounded once.
 inline Color scaled(Color c, double factor) { return Color(Vec3d(c) * factor); }
 
+/// Of a surface.
 struct Material {
   std::string name;
   Color diffuse{0.8f, 0.8f, 0.8f};  ///< Lambert reflectance

@@ -11,8 +11,10 @@
 
 namespace penumbra {
 
+/// How atoms and bonds are drawn.
 enum class MoleculeStyle { ball_and_stick, space_filling };
 
+/// Of molecules alone.
 struct ReadOptions {
   MoleculeStyle style = MoleculeStyle::ball_and_stick;
   bool waters = false;  ///< keep water molecules

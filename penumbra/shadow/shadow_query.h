@@ -30,6 +30,7 @@ std::uint64_t light_key(std::uint64_t point_key, std::uint32_t light_index);
 /// their samples: umbra when no sample is free, lit when no ray is blocked.
 enum class ShadowClass : std::uint8_t { lit = 0, penumbra = 1, umbra = 2 };
 
+/// What a point sees of a light.
 struct Visibility {
   float cosine_weighted =
       0;  ///< V = sum w v / sum w, w the cosine; where sum w is 0 or not finite, `fraction`

@@ -38,6 +38,7 @@ std::uint64_t point_key(std::uint64_t seed, const PixelSample& sample, std::uint
 /// have it, through its upper left corner. More samples a pixel are spread over it.
 enum class PixelPoint { center, corner };
 
+/// How a scene is drawn.
 struct RenderOptions {
   std::uint32_t shadow_samples = 32;  ///< d, >= 1
   std::uint32_t width = 512, height = 512;
@@ -68,14 +69,16 @@ struct RenderCounters {
   std::uint64_t closest_tests = 0;                          ///< primitives tested by them
   ShadowCounters shadow;
 
-  void add(const RenderCounters& other);
+  void add(const RenderCounters& other);  ///< each to its like
 };
 
+/// What it took.
 struct RenderSeconds {
   double render = 0;  ///< wall time of the picture
   double shadow = 0;  ///< of it, in visibility; summed over threads, divided by their number
 };
 
+/// A drawn scene.
 struct Picture {
   Image image;  ///< linear R, G, B, then the layers asked for
   RenderCounters counters;

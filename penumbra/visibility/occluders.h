@@ -36,13 +36,15 @@ namespace penumbra {
 
 struct GeometryRows;
 
-// Handles: numbers from 0, in the order of adding, of each kind by itself.
+/// What was added: numbers from 0, in the order of adding, of each kind by itself.
 struct GeometryId {
   std::uint32_t index = 0;
 };
+/// As GeometryId.
 struct GroupId {
   std::uint32_t index = 0;
 };
+/// As GeometryId.
 struct InstanceId {
   std::uint32_t index = 0;
 };
@@ -100,6 +102,7 @@ struct Blockers {
   std::vector<PrimitiveId> primitives;
 };
 
+/// How what was added becomes what is asked of.
 struct CommitOptions {
   /// Where positions have moved and nothing else has changed, the hierarchy is fitted to them and
   /// keeps its shape, which is quick and, where they have moved far, makes questions slower;
@@ -107,6 +110,7 @@ struct CommitOptions {
   bool may_refit = true;
 };
 
+/// What was committed.
 struct CommitReport {
   std::size_t primitives = 0;            ///< with all that instances place
   std::size_t degenerate_triangles = 0;  ///< of no area; they block nothing
@@ -203,7 +207,9 @@ class Occluders {
   Blockers shaft(const Box& box, const LightShape& light) const;
 
   // --- Facts of what was committed last ---
+  /// Holds all of it; empty where there is nothing.
   Box bounds() const;
+  /// Of what stays between questions, beside the arrays.
   std::size_t memory_bytes() const;
 
  private:

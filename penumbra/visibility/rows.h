@@ -50,6 +50,7 @@ class Rows {
 using VectorRows = Rows<Vec3f>;
 /// Three vertex numbers a triangle, from 0.
 using TriangleRows = Rows<std::array<std::uint32_t, 3>>;
+/// Radii.
 using NumberRows = Rows<float>;
 
 }  // namespace penumbra
