@@ -1,9 +1,9 @@
-# Target penumbra_docs, where there is Doxygen: the public headers and docs/library.md as pages in docs/html.
+# Target penumbra_docs, where there is Doxygen: docs/library.md, the public headers and Python's docstrings as pages in docs/html.
 find_program(PENUMBRA_DOXYGEN doxygen)
 mark_as_advanced(PENUMBRA_DOXYGEN)
-if(PENUMBRA_DOXYGEN)
+if(PENUMBRA_DOXYGEN AND TARGET penumbra_python)
   set(docs_folder ${PROJECT_BINARY_DIR}/docs)
-  set(docs_input "\"${PROJECT_SOURCE_DIR}/docs/library.md\"")
+  set(docs_input "\"${PROJECT_SOURCE_DIR}/docs/library.md\" \"${docs_folder}/python.md\"")
   foreach(component visibility render)
     get_target_property(headers penumbra_shared_${component} HEADER_SET)
     foreach(header IN LISTS headers)
@@ -14,7 +14,10 @@ if(PENUMBRA_DOXYGEN)
   configure_file(${PROJECT_SOURCE_DIR}/docs/doxygen.in ${docs_folder}/doxygen @ONLY)
   add_custom_target(penumbra_docs
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${docs_folder}/html
+    COMMAND ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 $<TARGET_FILE:Python3::Interpreter>
+      ${PROJECT_SOURCE_DIR}/tools/python_reference.py ${PROJECT_BINARY_DIR}/python ${docs_folder}/python.md
     COMMAND ${PENUMBRA_DOXYGEN} ${docs_folder}/doxygen
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_reference.py ${docs_folder}/warnings.txt
+    DEPENDS penumbra_python
     WORKING_DIRECTORY ${docs_folder} VERBATIM)
 endif()

@@ -57,6 +57,7 @@ PENUMBRA_C_API uint32_t penumbra_c_api_version(void);
 
 /* --- Errors --- */
 
+/* PENUMBRA_OK, or what went wrong. */
 typedef int32_t penumbra_error;
 enum {
   PENUMBRA_OK = 0,
@@ -78,6 +79,7 @@ PENUMBRA_C_API const char* penumbra_last_error_message(void);
 
 /* --- Handles --- */
 
+/* What blocks light. */
 typedef struct penumbra_occluders {
   uint64_t id;
 } penumbra_occluders;
@@ -196,6 +198,7 @@ PENUMBRA_C_API penumbra_error penumbra_commit(penumbra_occluders occluders,
 
 /* --- Questions --- */
 
+/* Surface points that ask. */
 typedef struct penumbra_points {
   size_t struct_size;
   penumbra_rows positions; /* 3 floats each */

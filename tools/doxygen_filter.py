@@ -11,15 +11,16 @@ import sys
 def of_c(text):
     text = re.sub(r"^/\* SPDX.*\n/\*", "/** @file\n *", text)
     text = re.sub(r"^ \*   (?=\S)", " *     ", text, flags=re.MULTILINE)  # Markdown's code
-    text = re.sub(r"^(\s*)/\* --- (.*?) --- \*/", r"\1/* \2 */", text, flags=re.MULTILINE | re.DOTALL)
-    text = re.sub(r"^(\s*)/\* ", r"\1/** ", text, flags=re.MULTILINE)
+    text = re.sub(r"^/\* --- (\w.*\..*\n(?:.*\n)??.*) --- \*/", r"/* \1 */", text, flags=re.MULTILINE)  # says something
+    text = re.sub(r"^(\s*)/\* (?!---)", r"\1/** ", text, flags=re.MULTILINE)
     return re.sub(r"(?<=[;,{0-9]) /\* ", " /**< ", text)
 
 
 def of_cpp(text):
     head = re.match(r"// SPDX.*\n((?://.*\n)*)", text)
     told = re.sub(r"^//(   (?=\S))?", lambda match: "///     " if match[1] else "///", head[1], flags=re.MULTILINE)
-    return "/// @file\n" + told + text[head.end():]
+    namespace = "/** @namespace penumbra All of it. */ " if "The whole of" in told else ""
+    return f"{namespace}/// @file\n" + told + text[head.end():]
 
 
 if __name__ == "__main__":

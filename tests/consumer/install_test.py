@@ -53,6 +53,17 @@ class InstallTest(unittest.TestCase):
         for scene in ("bust", "balls:2"):
             self.assertIn(" 0 differ", run(build / "as_rendered", scene))
 
+    def test_the_examples_are_outside_projects_too(self):
+        for name in ("c_api", "embree_renderer"):
+            build = self.folder / name
+            run("cmake", "-S", HERE.parent.parent / "examples" / name, "-B", build, "-G", "Ninja",
+                f"-DCMAKE_PREFIX_PATH={self.prefix}", f"-DCMAKE_CXX_COMPILER={self.compiler}")
+            run("cmake", "--build", build)
+        self.assertIn("in umbra for sure", run(self.folder / "c_api" / "c_api"))
+        run(self.prefix / "bin/penumbra", "generate", "bust", "-o", self.folder / "bust.ply")
+        self.assertIn("times as fast", run(self.folder / "embree_renderer" / "embree_renderer", "bust.ply", "64",
+                                           cwd=self.folder))
+
     @unittest.skipUnless(shutil.which("pkg-config"), "there is no pkg-config")
     def test_pkg_config_says_how_to_compile(self):
         pkgconfig = next(self.prefix.glob("lib/**/penumbra.pc")).parent
