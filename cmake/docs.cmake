@@ -11,13 +11,14 @@ if(PENUMBRA_DOXYGEN AND TARGET penumbra_python)
       string(APPEND docs_input " \"${header}\"")
     endforeach()
   endforeach()
-  configure_file(${PROJECT_SOURCE_DIR}/docs/doxygen.in ${docs_folder}/doxygen @ONLY)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/doxygen.in ${docs_folder}/doxygen @ONLY)
   add_custom_target(penumbra_docs
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${docs_folder}/html
     COMMAND ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 $<TARGET_FILE:Python3::Interpreter>
       ${PROJECT_SOURCE_DIR}/tools/python_reference.py ${PROJECT_BINARY_DIR}/python ${docs_folder}/python.md
     COMMAND ${PENUMBRA_DOXYGEN} ${docs_folder}/doxygen
-    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_reference.py ${docs_folder}/warnings.txt
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_reference.py
+      ${docs_folder}/warnings.txt ${docs_folder}/html
     DEPENDS penumbra_python
     WORKING_DIRECTORY ${docs_folder} VERBATIM)
 endif()

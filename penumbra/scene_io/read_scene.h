@@ -20,7 +20,7 @@ struct ReadOptions {
   bool waters = false;  ///< keep water molecules
 };
 
-/// A scene, and what was odd about the file: one line a kind of oddity, as `file:line: what`.
+/// A scene, and what was odd about the file: one line a kind of oddity, with its place.
 struct SceneFile {
   Scene scene;
   std::vector<std::string> warnings;
