@@ -1,4 +1,5 @@
-# Target penumbra_docs, where there is Doxygen: docs/library.md, the public headers and Python's docstrings as pages in docs/html.
+# Target penumbra_docs, where there is Doxygen: docs/library.md, the public headers and Python's
+# docstrings as pages in docs/html.
 find_program(PENUMBRA_DOXYGEN doxygen)
 mark_as_advanced(PENUMBRA_DOXYGEN)
 if(PENUMBRA_DOXYGEN AND TARGET penumbra_python)

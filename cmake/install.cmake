@@ -43,6 +43,8 @@ if(PROJECT_IS_TOP_LEVEL)
   install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
   install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT runtime)  # Debian's name for it
   install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT runtime)
+  install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development
+    PATTERN __pycache__ EXCLUDE)
 
   # All of the above and no tests: `cmake --build build --target installable`.
   add_custom_target(installable DEPENDS

@@ -2,8 +2,8 @@
 """bake_gltf.py PENUMBRA [FOLDER]: soft shadows baked into a glTF file, for viewers that have none.
 
 Blocks on a floor, a place in the texture for each of their sides: model.glb. `penumbra bake` fills the texture with
-what each texel sees of a lamp and a sky: shadow.png. The same model with that as its colour, times that of its material,
-not lit again (KHR_materials_unlit): baked.glb, for any viewer or game engine. PENUMBRA is the program.
+what each texel sees of a lamp and a sky: shadow.png. The same model with that as its colour, times that of its
+material, not lit again (KHR_materials_unlit): baked.glb, for any viewer or game engine. PENUMBRA is the program.
 """
 import json
 import pathlib

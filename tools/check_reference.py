@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""check_reference.py LOG PAGES: prints what Doxygen warned of and is to be mended, and links of the pages that lead nowhere;
-fails if there is any.
+"""check_reference.py LOG PAGES: prints what Doxygen warned of and is to be mended, and links of the pages that lead
+nowhere; fails if there is any.
 
-Without words of their own may be: variables, which their struct explains; functions whose body stands in the header, since
-it says what they do; what is moved, and one of several declarations below one comment.
+Without words of their own may be: variables, which their struct explains; functions whose body stands in the header,
+since it says what they do; what is moved, and one of several declarations below one comment.
 """
 import pathlib
 import re

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """doxygen_filter.py HEADER: the header as Doxygen wants it, on standard output, line by line.
 
-What a header's head says of it becomes the text of its page, and so do C's comments of what they stand before or behind.
+What a header's head says of it becomes the text of its page, and C's comments that of what they stand before or
+behind.
 """
 import pathlib
 import re

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""python_reference.py FOLDER FILE.md: what `help(penumbra)` says, of the package in FOLDER, as a page; fails where something
-public says nothing."""
+"""python_reference.py FOLDER FILE.md: what `help(penumbra)` says, of the package in FOLDER, as a page; fails where
+something public says nothing."""
 import inspect
 import pathlib
 import re

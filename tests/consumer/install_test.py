@@ -56,7 +56,7 @@ class InstallTest(unittest.TestCase):
     def test_the_examples_are_outside_projects_too(self):
         for name in ("c_api", "embree_renderer"):
             build = self.folder / name
-            run("cmake", "-S", HERE.parent.parent / "examples" / name, "-B", build, "-G", "Ninja",
+            run("cmake", "-S", self.prefix / "share/doc/penumbra/examples" / name, "-B", build, "-G", "Ninja",
                 f"-DCMAKE_PREFIX_PATH={self.prefix}", f"-DCMAKE_CXX_COMPILER={self.compiler}")
             run("cmake", "--build", build)
         self.assertIn("in umbra for sure", run(self.folder / "c_api" / "c_api"))

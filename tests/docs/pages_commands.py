@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The commands that README.md and docs/library.md show: the files they name, and what of them is not run here and why."""
+"""The commands of README.md and docs/library.md: the files they name, and what of them is not run here and why."""
 import pathlib
 import re
 import shutil
@@ -23,7 +23,8 @@ NOT_RUN = {
     "penumbra reproduce -o mine --quick --bust scan.ply --molecule 1hpv.pdb": "the test `cli.reproduce` does so",
 }
 
-RAD = "void light on\n0\n0\n3 9 9 9\non sphere lamp\n0\n0\n4 2 1 2.7 .1\nvoid plastic grey\n0\n0\n5 .5 .5 .5 0 0\n" + "".join(
+RAD = "void light on\n0\n0\n3 9 9 9\non sphere lamp\n0\n0\n4 2 1 2.7 .1\nvoid plastic grey\n0\n0\n5 .5 .5 .5 0 0\n"
+RAD += "".join(
     f"grey polygon {name}\n0\n0\n12 {corners}\n" for name, corners in (
         ("floor", "0 -5 0 5 -5 0 5 5 0 0 5 0"), ("wall", "0 5 0 5 5 0 5 5 3 0 5 3")))
 PBRT = ('LookAt 0 -6 2 0 0 0 0 0 1\nCamera "perspective"\nWorldBegin\nAreaLightSource "diffuse" "rgb L" [9 9 9]\n'

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""run_snippets.py BUILD COMPILER C_COMPILER [TEST...]: every code block of README.md and docs/library.md does what it shows.
+"""run_snippets.py BUILD COMPILER C_COMPILER [TEST...]: every code block of README.md and docs/library.md does what it
+shows.
 
-Blocks of C++ of one page are, one after the other, the body of one program, and so are those of C and of Python; CMake's
-is that of a project; commands are run where the files are that they name. All against what `cmake --install BUILD` puts down.
+Blocks of C++ of one page are, one after the other, the body of one program, and so are those of C and of Python;
+CMake's is that of a project; commands are run where the files are that they name. All against what
+`cmake --install BUILD` puts down.
 """
 import os
 import pathlib
@@ -19,10 +21,10 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGES = [ROOT / "README.md", ROOT / "docs" / "library.md"]
 KNOWN = {"cpp", "c", "python", "cmake", "sh", "text"}  # the last is no code
 # What blocks leave to the reader.
-WAYS_IN = {"cpp": "#include <array>\n#include <cassert>\n#include <cstdint>\n#include <cstdio>\n#include <iterator>\n#include <vector>\n"
-                  "#include <penumbra/penumbra.h>\n#include <penumbra/render.h>\n",
-           "c": "#undef NDEBUG\n#include <assert.h>\n#include <stdio.h>\n"}
-BODY = {"cpp": "int main() try {\n%s\n} catch (const penumbra::Error& error) {\n  std::puts(error.what());\n  return 1;\n}\n",
+WAYS_IN = {name: "".join(f"#include <{header}>\n" for header in headers) for name, headers in (
+    ("cpp", ("array", "cassert", "cstdint", "cstdio", "iterator", "vector")), ("c", ("assert.h", "stdio.h")))}
+BODY = {"cpp": "int main() try {\n%s\n} catch (const penumbra::Error& error) {\n  std::puts(error.what());\n"
+               "  return 1;\n}\n",
         "c": "int main(void) {\n%s\nreturn 0;\n}\n"}
 
 
@@ -102,7 +104,8 @@ class Snippets(unittest.TestCase):
             project = self.folder / f"project{number}"
             project.mkdir()
             (project / "mine.cpp").write_text("#include <penumbra/penumbra.h>\nint main() { penumbra::Occluders o; }\n")
-            named = set(re.findall(r"target_link_libraries\((\w+)", text)) - set(re.findall(r"add_executable\((\w+)", text))
+            named = set(re.findall(r"target_link_libraries\((\w+)", text))
+            named -= set(re.findall(r"add_executable\((\w+)", text))
             before = "".join(f"add_executable({name} mine.cpp)\n" for name in sorted(named))
             (project / "CMakeLists.txt").write_text(
                 f"cmake_minimum_required(VERSION 3.23)\nproject(it LANGUAGES C CXX)\n{before}{text}")
@@ -112,9 +115,8 @@ class Snippets(unittest.TestCase):
 
     def test_commands(self):
         make_files(self.folder, self.run_there)
-        for name, language in (("mine.cpp", "cpp"), ("mine.c", "c")):
-            (self.folder / name).write_text(self.program(PAGES[1], language).replace("<penumbra/render.h>", "<vector>")
-                                            if language == "c" else "#include <penumbra/penumbra.h>\nint main() {}\n")
+        (self.folder / "mine.cpp").write_text("#include <penumbra/penumbra.h>\nint main() { penumbra::Occluders mine; }\n")
+        (self.folder / "mine.c").write_text(self.program(PAGES[1], "c"))
         not_run = set(NOT_RUN)
         for page in PAGES:
             for line, text in [*of_language(page, ""), *of_language(page, "sh")]:

@@ -53,7 +53,8 @@ class embree_renderer(ExampleTest):  # pylint: disable=invalid-name
         self.run_there(self.penumbra, "generate", "bust", "-o", "bust.ply")
         printed = self.run_there(self.program, "bust.ply", "160").stdout
         print(printed)  # with the times, for the log
-        points, difference = re.search(r"(\d+) points: .* times as fast; fractions differ by ([\d.]+)", printed).groups()
+        told = re.search(r"(\d+) points: .* times as fast; fractions differ by ([\d.]+)", printed)
+        points, difference = told.groups()
         self.assertGreater(int(points), 5000)
         self.assertLess(float(difference), 0.005)
         before, after = self.pixels("embree.pgm"), self.pixels("penumbra.pgm")
