@@ -115,7 +115,7 @@ class Snippets(unittest.TestCase):
 
     def test_commands(self):
         make_files(self.folder, self.run_there)
-        (self.folder / "mine.cpp").write_text("#include <penumbra/penumbra.h>\nint main() { penumbra::Occluders mine; }\n")
+        (self.folder / "mine.cpp").write_text("#include <penumbra/penumbra.h>\nint main() { penumbra::Occluders(); }\n")
         (self.folder / "mine.c").write_text(self.program(PAGES[1], "c"))
         not_run = set(NOT_RUN)
         for page in PAGES:
