@@ -306,11 +306,12 @@ PENUMBRA_C_API penumbra_error penumbra_shaft(penumbra_occluders occluders, const
                                              uint32_t* shadow_class, penumbra_primitive* out,
                                              size_t capacity, size_t* count);
 
-/* Ways to the light's samples, 3 floats each; `count` of them, which is d. */
+/* Ways to the light's samples, 3 floats each; `count` of them, which is d. `light_index` and
+ * `key_is_final` as in penumbra_ask_options. */
 PENUMBRA_C_API penumbra_error penumbra_light_samples(const penumbra_light* light,
                                                      const float* position, uint64_t key,
-                                                     uint32_t light_index, float* out,
-                                                     size_t count);
+                                                     uint32_t light_index, uint32_t key_is_final,
+                                                     float* out, size_t count);
 
 /* What the samples of a light at a point are drawn by. */
 PENUMBRA_C_API uint64_t penumbra_light_key(uint64_t point_key, uint32_t light_index);

@@ -19,6 +19,7 @@
 #include "penumbra/scene_io/read_scene.h"
 #include "penumbra/shadow/method.h"
 #include "penumbra/trace/picture.h"
+#include "penumbra/visibility/scene_occluders.h"
 
 namespace penumbra {
 

@@ -26,8 +26,12 @@
 namespace penumbra {
 namespace {
 
-/// Points that one thread takes at a time: enough for those that are scattered to find neighbours.
-constexpr std::size_t block_size = 16384;
+/// Points that one thread takes at a time, whole tiles: few enough that small calls have blocks for
+/// all threads, and a call that is to end does so soon, however many samples a point has.
+std::size_t block_size_of(std::uint32_t shadow_samples) {
+  constexpr std::size_t tile = 64, most_tiles = 64, most_samples = 1 << 17;
+  return tile * std::clamp<std::size_t>(most_samples / tile / shadow_samples, 1, most_tiles);
+}
 
 void require_count(const char* what, std::size_t count, std::size_t points) {
   if (count != points)
@@ -71,7 +75,8 @@ class Asker {
         points_(points),
         light_(light),
         options_(options),
-        answers_(answers) {}
+        answers_(answers),
+        block_size_(block_size_of(options.shadow_samples)) {}
 
   ShadowCounters ask() {
     if (options_.threads == 0) {
@@ -87,7 +92,7 @@ class Asker {
 
  private:
   void answer_all() {
-    const std::size_t blocks = (points_.positions.size() + block_size - 1) / block_size;
+    const std::size_t blocks = (points_.positions.size() + block_size_ - 1) / block_size_;
     if (blocks > 1) order_ = order_of(points_.positions);
     if (blocks == 1) return answer_block(0);
     tbb::parallel_for(
@@ -102,8 +107,8 @@ class Asker {
     if (is_cancelled_) return;
     std::unique_ptr<AskScratch> own = occluders_.scratch_pool.take(options_.shadow_samples);
     AskScratch& scratch = *own;
-    const std::size_t first = block * block_size;
-    const std::size_t count = std::min(block_size, points_.positions.size() - first);
+    const std::size_t first = block * block_size_;
+    const std::size_t count = std::min(block_size_, points_.positions.size() - first);
     scratch.queries.resize(count);
     Box box;
     for (std::size_t i = 0; i < count; ++i) {
@@ -168,6 +173,7 @@ class Asker {
   const LightShape& light_;
   const AskOptions& options_;
   const Answers& answers_;
+  std::size_t block_size_;
   std::vector<std::uint32_t> order_;  // empty: points are asked about as they come
   std::mutex mutex_;
   ShadowCounters counters_;

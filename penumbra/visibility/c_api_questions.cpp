@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The C API: questions.
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -184,15 +185,16 @@ penumbra_error penumbra_shaft(penumbra_occluders occluders, const float* lo, con
 }
 
 penumbra_error penumbra_light_samples(const penumbra_light* light, const float* position,
-                                      uint64_t key, uint32_t light_index, float* out,
-                                      size_t count) {
+                                      uint64_t key, uint32_t light_index, uint32_t key_is_final,
+                                      float* out, size_t count) {
   return guarded(__func__, {}, [&] {
     const LightShape from = light_of(light);
     const Vec3f at = vector_of(position, "position");
     if (count > UINT32_MAX) refuse_argument("count is above 65536; ask for fewer samples");
     check_pointer(out, "out");
     const auto samples = static_cast<std::uint32_t>(count);
-    for (const Vec3f way : light_samples(from, at, key, samples, light_index)) {
+    const auto index = key_is_final != 0 ? std::nullopt : std::optional(light_index);
+    for (const Vec3f way : light_samples(from, at, key, samples, index)) {
       write_vector(out, way, "out");
       out += 3;
     }

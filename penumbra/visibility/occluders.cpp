@@ -278,12 +278,13 @@ Box Occluders::bounds() const { return committed(data().current())->kernel.bound
 std::size_t Occluders::memory_bytes() const { return committed(data().current())->memory_bytes(); }
 
 std::vector<Vec3f> light_samples(const LightShape& light, Vec3f position, std::uint64_t key,
-                                 std::uint32_t shadow_samples, std::uint32_t light_index) {
+                                 std::uint32_t shadow_samples,
+                                 std::optional<std::uint32_t> light_index) {
   require_samples(shadow_samples);
   const LightShape checked = checked_light(light);
   LightSamples samples;
-  sample_light(checked, position, SamplePattern(shadow_samples), light_key(key, light_index),
-               samples);
+  sample_light(checked, position, SamplePattern(shadow_samples),
+               light_index ? light_key(key, *light_index) : key, samples);
   std::vector<Vec3f> ways;
   for (std::uint32_t i = 0; i < shadow_samples; ++i)
     ways.push_back({samples.x[i], samples.y[i], samples.z[i]});

@@ -221,8 +221,10 @@ class Occluders {
 
 /// Ways from a point to the light's d samples (for suns: unit directions), in the order of
 /// `visible_samples`: what a caller needs to weigh samples by himself. `position` is where rays
-/// begin; `key` is the point's. Throws Error for a light that is none.
+/// begin; `key` is the point's, and `light_index` as in AskOptions. Throws Error for a light that
+/// is none.
 std::vector<Vec3f> light_samples(const LightShape& light, Vec3f position, std::uint64_t key,
-                                 std::uint32_t shadow_samples, std::uint32_t light_index = 0);
+                                 std::uint32_t shadow_samples,
+                                 std::optional<std::uint32_t> light_index = 0);
 
 }  // namespace penumbra

@@ -313,7 +313,8 @@ penumbra_error Caller::ask_for_blockers() {
     std::vector<float> ways(3 * std::size_t{random_.below(300)});
     const float* from = random_.one_in(100) ? nullptr : a;
     const std::size_t d = random_.one_in(50) ? 0 : ways.size() / 3;
-    return penumbra_light_samples(&light, from, random_.below(9), 0, ways.data(), d);
+    return penumbra_light_samples(&light, from, random_.below(9), 0, random_.below(3), ways.data(),
+                                  d);
   }
   std::vector<penumbra_primitive> out(random_.below(100));
   if (random_.one_in(2)) {

@@ -166,7 +166,7 @@ TEST_F(CApiMisuse, NullIsRefused) {
                  "out is NULL");
   expect_invalid(penumbra_shaft(scene, &p.x, nullptr, &light, nullptr, nullptr, 0, nullptr),
                  "hi is NULL");
-  expect_invalid(penumbra_light_samples(&light, &p.x, 0, 0, nullptr, 4), "out is NULL");
+  expect_invalid(penumbra_light_samples(&light, &p.x, 0, 0, 0, nullptr, 4), "out is NULL");
   expect_invalid(penumbra_bounds(scene, nullptr, nullptr), "lo is NULL");
   expect_invalid(penumbra_memory_bytes(scene, nullptr), "out is NULL");
   expect_invalid(penumbra_default_ask_options(nullptr, sizeof options), "options is NULL");

@@ -231,7 +231,11 @@ TEST_F(CApi, GivesTheWaysToSamples) {
   const Vec3f position{0.5f, 0, 0.25f};
   for (const auto& [light, shape] : all_lights()) {
     std::vector<Vec3f> ways(33);
-    expect_ok(penumbra_light_samples(&light, &position.x, 17, 2, &ways[0].x, ways.size()));
+    expect_ok(penumbra_light_samples(&light, &position.x, 17, 2, 0, &ways[0].x, ways.size()));
+    std::vector<Vec3f> same(ways.size());
+    expect_ok(penumbra_light_samples(&light, &position.x, penumbra_light_key(17, 2), 0, 1,
+                                     &same[0].x, same.size()));
+    EXPECT_EQ(same, ways);
     EXPECT_TRUE(same_bits(ways, light_samples(shape, position, 17, 33, 2))) << light.kind;
   }
 }

@@ -168,6 +168,7 @@ TEST(Occluders, give_the_ways_to_the_samples) {
     const bool is_under = std::abs(at_roof.x) <= 1 && std::abs(at_roof.y) <= 1;
     EXPECT_EQ(seen[0] >> i & 1, is_under ? 0u : 1u);
   }
+  EXPECT_EQ(light_samples(lamp, points[0], light_key(9, 3), 32, {}), ways);
 }
 
 TEST(Occluders, are_asked_by_floating_points_on_all_sides) {
