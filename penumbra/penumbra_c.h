@@ -20,9 +20,9 @@
  * `penumbra_occluders`, or that was never given, is PENUMBRA_ERROR_INVALID_HANDLE.
  *
  * POINTERS. What a handle can be checked for, memory cannot: arrays are taken to be as long as is
- * said beside them. All else is checked: NULL with a count above 0, vertex numbers, numbers that
- * are not finite, alignment of what is written to, sizes that disagree. NULL with a count of 0 is
- * an empty array.
+ * said beside them. All else is checked: NULL with a count above 0, vertex numbers, numbers of
+ * occluders and lights that are not finite, alignment of what is written to, sizes that disagree.
+ * NULL with a count of 0 is an empty array.
  *
  * THREADS. Any function may be called from any thread at any time. Questions are answered of what
  * was committed last when they began. `penumbra_release` does not wait: what runs goes on with what

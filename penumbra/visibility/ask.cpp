@@ -152,7 +152,7 @@ class Asker {
   /// Whether float can tell anything of the occluders there.
   bool is_near(Vec3f p) const {
     constexpr float most = 1000;
-    return max_abs(p) <= most * farthest_;  // not NaN
+    return is_finite(p) && (farthest_ == 0 || max_abs(p) <= most * farthest_);
   }
 
   /// The caller's number of the point that is asked about as the i-th.

@@ -58,7 +58,8 @@ struct PrimitiveId {
   constexpr bool operator==(const PrimitiveId&) const = default;
 };
 
-/// Surface points that ask. `positions` and `normals` in scene units and the occluders' frame.
+/// Surface points that ask. `positions` and `normals` in scene units and the occluders' frame. Where
+/// they are no numbers the class is penumbra, and the fraction means nothing.
 struct Points {
   VectorRows positions;
   /// Geometric normals, on the side that looks at the light; of samples below the plane nothing is
@@ -178,8 +179,9 @@ class Occluders {
 
   /// Class of each point, for the light as a whole: lit (nothing blocks what of it is above the
   /// point's horizon) and umbra (all of it is blocked, or below) are proofs, penumbra means that
-  /// neither was found. No sample is taken, but by `stochastic`, whose classes are those of its
-  /// samples. Cost: 5 to 500 ns a point, less where neighbours follow one another.
+  /// neither was found. Which are, depends on what is asked together, as neighbours share their
+  /// proofs. No sample is taken, but by `stochastic`, whose classes are those of its samples. Cost:
+  /// 5 to 500 ns a point, less where neighbours follow one another.
   ShadowCounters classify(const Points& points, const LightShape& light, std::span<ShadowClass> out,
                           const AskOptions& options = {}) const;
   std::vector<ShadowClass> classify(const Points& points, const LightShape& light,
