@@ -12,8 +12,12 @@ thread_local std::int64_t calls_left = never;
 /// Whether this call is the one that fails.
 bool is_time() { return calls_left != never && calls_left-- == 0; }
 
+void* try_to_allocate(std::size_t size) noexcept {
+  return is_time() ? nullptr : std::malloc(size == 0 ? 1 : size);
+}
+
 void* allocate(std::size_t size) {
-  void* const memory = is_time() ? nullptr : std::malloc(size);
+  void* const memory = try_to_allocate(size);
   if (!memory) throw std::bad_alloc();
   return memory;
 }
@@ -27,8 +31,11 @@ void* allocate(std::size_t size, std::align_val_t alignment) {
 
 }  // namespace
 
-// The other forms of the standard library call these.
-void* operator new(std::size_t size) { return allocate(size == 0 ? 1 : size); }
+// The other forms of the standard library call these; the sanitizers' do not.
+void* operator new(std::size_t size) { return allocate(size); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return try_to_allocate(size);
+}
 void* operator new(std::size_t size, std::align_val_t to) {
   return allocate(size == 0 ? 1 : size, to);
 }
