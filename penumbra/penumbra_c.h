@@ -11,17 +11,18 @@
  *   penumbra_release(scene);
  *
  * ERRORS. Every function returns PENUMBRA_OK or says what is wrong, and then has changed nothing
- * but, where a question was cancelled, a part of what it was to fill. The thread's last error can
- * be asked for, and a function be set that is called with each, as Embree does it. No C++ exception
- * leaves a function, nor does running out of memory end the program.
+ * but, where a question was cut short (cancelled, out of memory), a part of what it was to fill.
+ * The thread's last error can be asked for, and a function be set that is called with each, as
+ * Embree does it. No C++ exception leaves a function, nor does running out of memory end the
+ * program.
  *
  * HANDLES are values. A handle that was released or removed, that is of another kind or of another
  * `penumbra_occluders`, or that was never given, is PENUMBRA_ERROR_INVALID_HANDLE.
  *
  * POINTERS. What a handle can be checked for, memory cannot: arrays are taken to be as long as is
- * said beside them. All else is checked: NULL with a count above 0, vertex numbers, numbers that
- * are not finite, alignment of what is written to, sizes that disagree. NULL with a count of 0 is
- * an empty array.
+ * said beside them. All else is checked: NULL with a count above 0, vertex numbers, numbers of
+ * occluders and lights that are not finite, alignment of what is written to, sizes that disagree.
+ * NULL with a count of 0 is an empty array.
  *
  * THREADS. Any function may be called from any thread at any time. Questions are answered of what
  * was committed last when they began. `penumbra_release` does not wait: what runs goes on with what
@@ -104,7 +105,8 @@ PENUMBRA_C_API penumbra_error penumbra_release(penumbra_occluders occluders);
 
 /* Called with every error of calls that name these occluders, by the thread that called, after
  * the call has ended otherwise; `message` lives as long as it runs. With the handle {0}: with
- * those that no such function is set for. NULL for none. It may call penumbra. */
+ * those that no such function is set for. NULL for none. It may call penumbra; it is not
+ * called again for what fails meanwhile. */
 typedef void (*penumbra_error_function)(void* user, penumbra_error code, const char* message);
 PENUMBRA_C_API penumbra_error penumbra_set_error_function(penumbra_occluders occluders,
                                                           penumbra_error_function function,

@@ -64,6 +64,10 @@ SeenLight seen_part(const SeenLight& sight, const LightSamples& samples, std::ui
   return part;
 }
 
+bool is_apart(const SeenLight& seen) {
+  return seen.distance > (seen.size + seen.receiver_radius) * (1 + 0x1p-20f) + 8 * seen.doubt;
+}
+
 SeenLight seen_by_all(const LightForm& light, const ReceiverGroup& group) {
   const ReceiverRows& rows = group.rows;
   const Box box = group.bounds();

@@ -74,6 +74,10 @@ SeenLight seen_by_one(const LightForm& light, const ReceiverRows& rows, std::siz
 SeenLight seen_part(const SeenLight& sight, const LightSamples& samples, std::uint32_t word,
                     std::uint32_t bits);
 
+/// Whether the light lies apart from the ball of its receivers: that those at its corners are
+/// outside the light does not say so of others.
+bool is_apart(const SeenLight& seen);
+
 /// From all of a group: the light counts as the ball around it.
 SeenLight seen_by_all(const LightForm& light, const ReceiverGroup& group);
 

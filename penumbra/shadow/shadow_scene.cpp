@@ -9,6 +9,7 @@ namespace {
 /// Shadow rays start up to 32 ulp of (largest coordinate + extent) off their surface (see
 /// surface_point.h).
 Box with_offsets(const Box& box) {
+  if (box.is_empty()) return box;
   const Vec3d size(box.size()), lo(box.lo), hi(box.hi);
   const double pad = 64.0 * std::numeric_limits<float>::epsilon() *
                      (std::max(max_abs(lo), max_abs(hi)) + max_abs(size));

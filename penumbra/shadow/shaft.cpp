@@ -51,6 +51,7 @@ bool gather_candidates(const ShadowScene& scene, std::uint32_t light, const Box&
                        std::uint64_t& tests) {
   list.clear();
   const WideTree& tree = scene.kernel->tree();
+  if (scene.kernel->bounds().is_empty()) return true;  // there is nothing
   if (tree.nodes.empty()) return false;
   const auto add = [&](std::span<const Record> records, std::uint32_t first) {
     for (std::uint32_t i = 0; i < records.size(); ++i)

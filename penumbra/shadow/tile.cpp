@@ -87,9 +87,7 @@ class Tile {
     above_ = bits.above;
     const ReceiverGroup receivers = group(0, queries_.size());
     const SeenLight sight = seen_by_all(form_, receivers);
-    // Between the corners, too, receivers must lie outside the light.
-    const float apart = (sight.size + sight.receiver_radius) * (1 + 0x1p-20f) + 8 * sight.doubt;
-    if (!(sight.distance > apart)) return {};
+    if (!is_apart(sight)) return {};
     ++counters_.set_rays;
     if (gather_candidates(scene_, light_, receivers.bounds(), sight, CandidateList::most,
                           gathered(), counters_.set_tests)) {
@@ -187,8 +185,9 @@ class Tile {
   }
 
   bool is_behind_sheet(const SeenLight& sight, std::size_t receivers) {
-    const auto most = static_cast<std::uint32_t>(std::min<std::size_t>(
-        sheet_a_sample * samples_.pattern.size() * receivers, SheetScratch::most));
+    const std::size_t samples = wants_class() ? samples_worth_a_sheet : samples_.pattern.size();
+    const auto most = static_cast<std::uint32_t>(
+        std::min<std::size_t>(sheet_a_sample * samples * receivers, SheetScratch::most));
     return penumbra::is_behind_sheet(scene_, sight, most, scratch_.outline, scratch_.sheet,
                                      counters_.set_tests);
   }

@@ -66,6 +66,27 @@ void check(const Points& points, const AskOptions& options, const Answers& answe
   require_room(answers.free_samples.size(), count * ((options.shadow_samples + 31) / 32));
 }
 
+/// The largest coordinate; 0 of nothing.
+float farthest(const Box& box) {
+  return box.is_empty() ? 0 : std::max(max_abs(box.lo), max_abs(box.hi));
+}
+
+/// By which points are moved unless the caller says how far.
+float automatic_offset(const Committed& occluders, Vec3f position) {
+  return 0x1p-17f * std::max(farthest(occluders.kernel.bounds()), max_abs(position));
+}
+
+bool wants_class_alone(const Answers& answers) {
+  return answers.visibility.empty() && answers.fraction.empty() && answers.free_samples.empty();
+}
+
+/// Proofs do not depend on how many samples are not taken.
+std::uint32_t samples_of(const AskOptions& options, const Answers& answers) {
+  constexpr std::uint32_t some = 32;
+  return wants_class_alone(answers) && options.method == Method::shaft ? some
+                                                                       : options.shadow_samples;
+}
+
 /// What the questions of one call share.
 class Asker {
  public:
@@ -76,7 +97,9 @@ class Asker {
         light_(light),
         options_(options),
         answers_(answers),
-        block_size_(block_size_of(options.shadow_samples)) {}
+        shadow_samples_(samples_of(options, answers)),
+        block_size_(block_size_of(shadow_samples_)),
+        farthest_(farthest(occluders.kernel.bounds())) {}
 
   ShadowCounters ask() {
     if (options_.threads == 0) {
@@ -105,7 +128,7 @@ class Asker {
 
   void answer_block(std::size_t block) {
     if (is_cancelled_) return;
-    std::unique_ptr<AskScratch> own = occluders_.scratch_pool.take(options_.shadow_samples);
+    std::unique_ptr<AskScratch> own = occluders_.scratch_pool.take(shadow_samples_);
     AskScratch& scratch = *own;
     const std::size_t first = block * block_size_;
     const std::size_t count = std::min(block_size_, points_.positions.size() - first);
@@ -113,9 +136,9 @@ class Asker {
     Box box;
     for (std::size_t i = 0; i < count; ++i) {
       const ShadowQuery& query = scratch.queries[i] = query_of(point_at(first + i));
-      if (is_finite(query.receiver.position)) box.add(query.receiver.position);
+      if (is_near(query.receiver.position)) box.add(query.receiver.position);
     }
-    // What cannot be proven far away must not be lost for others: each block has bounds of its own.
+    // What cannot be proven far away must not be lost for others.
     const ShadowScene scene = with_light(occluders_.shadows, light_, options_.method, box);
     OccluderQueue queue;
     const AnswerRows rows = rows_in(scratch);
@@ -126,14 +149,19 @@ class Asker {
     report(count, counters);
   }
 
+  /// Whether float can tell anything of the occluders there.
+  bool is_near(Vec3f p) const {
+    constexpr float most = 1000;
+    return is_finite(p) && (farthest_ == 0 || max_abs(p) <= most * farthest_);
+  }
+
   /// The caller's number of the point that is asked about as the i-th.
   std::size_t point_at(std::size_t i) const { return order_.empty() ? i : order_[i]; }
 
   AnswerRows rows_in(AskScratch& scratch) const {
     scratch.seen.resize(scratch.queries.size());
-    AnswerRows rows{.seen = scratch.seen, .shadow_samples = options_.shadow_samples};
-    if (answers_.visibility.empty() && answers_.fraction.empty() && answers_.free_samples.empty())
-      rows.wanted = Wanted::shadow_class;
+    AnswerRows rows{.seen = scratch.seen, .shadow_samples = shadow_samples_};
+    if (wants_class_alone(answers_)) rows.wanted = Wanted::shadow_class;
     if (!answers_.free_samples.empty()) {
       scratch.free_samples.resize(rows.seen.size() * rows.words());
       rows.free_samples = scratch.free_samples;
@@ -164,8 +192,11 @@ class Asker {
     counters_.add(counters);
     done_ += count;
     if (!options_.progress || is_cancelled_) return;
-    is_cancelled_ = !options_.progress(static_cast<double>(done_) /
-                                       static_cast<double>(points_.positions.size()));
+    // Whether it says so or throws: it is not called again.
+    is_cancelled_ = true;
+    const double share = static_cast<double>(done_) / static_cast<double>(points_.positions.size());
+    // Where it waits for tasks of its own, none of ours is taken up, which would come back here.
+    is_cancelled_ = !tbb::this_task_arena::isolate([&] { return options_.progress(share); });
   }
 
   const Committed& occluders_;
@@ -173,7 +204,9 @@ class Asker {
   const LightShape& light_;
   const AskOptions& options_;
   const Answers& answers_;
+  std::uint32_t shadow_samples_;
   std::size_t block_size_;
+  float farthest_;                    // coordinate of the occluders
   std::vector<std::uint32_t> order_;  // empty: points are asked about as they come
   std::mutex mutex_;
   ShadowCounters counters_;
@@ -204,11 +237,5 @@ LightShape checked_light(const Committed& occluders, LightShape light) {
 }
 
 Vec3f receiver_normal(Vec3f normal) { return is_finite(normal) ? unit(normal) : normal; }
-
-float automatic_offset(const Committed& occluders, Vec3f position) {
-  const Box box = occluders.kernel.bounds();
-  const float far = box.is_empty() ? 0 : std::max(max_abs(box.lo), max_abs(box.hi));
-  return 0x1p-17f * std::max(far, max_abs(position));
-}
 
 }  // namespace penumbra

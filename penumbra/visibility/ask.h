@@ -21,7 +21,7 @@ struct Answers {
   std::span<std::uint32_t> free_samples{};  ///< ceil(d / 32) words a point
 };
 
-/// Answers of what was committed. Throws Error where rows are not as many as points. Blocks of
+/// Answers of what was committed. Blocks of
 /// points of fixed size are answered each by itself, so that no answer depends on the number of
 /// threads. Throws Error for arguments that cannot be meant, before anything is written, and
 /// Cancelled.
@@ -37,8 +37,5 @@ void require_samples(std::uint32_t shadow_samples);
 /// Unit, and 0 for a point that floats; what is no number stays none, so that the class is in
 /// doubt.
 Vec3f receiver_normal(Vec3f normal);
-
-/// By which points are moved unless the caller says how far.
-float automatic_offset(const Committed& occluders, Vec3f position);
 
 }  // namespace penumbra

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "penumbra/shadow/hull_proof.h"
 #include "penumbra/shadow/shaft.h"
@@ -36,9 +40,7 @@ Sight sight_of(const Question& question) {
   if (count == 1) return {seen_by_one(question.scene.forms[0], rows, 0), (bits.certain & 1) != 0};
   const ReceiverGroup group{rows, 0, count, (bits.above & all) == all};
   Sight sight{seen_by_all(question.scene.forms[0], group), (bits.certain & all) == all};
-  const SeenLight& seen = sight.seen;
-  sight.is_certain &=
-      seen.distance > (seen.size + seen.receiver_radius) * (1 + 0x1p-20f) + 8 * seen.doubt;
+  sight.is_certain &= is_apart(sight.seen);
   return sight;
 }
 

@@ -2,8 +2,6 @@
 // What stands between points and a light, by name.
 #pragma once
 
-#include <span>
-
 #include "penumbra/geometry/light_shape.h"
 #include "penumbra/visibility/committed.h"
 #include "penumbra/visibility/occluders.h"

@@ -104,7 +104,8 @@ penumbra_error penumbra_add_group(penumbra_occluders occluders, penumbra_occlude
                                   penumbra_group* out) {
   return change(__func__, occluders, [&](ApiObject& object) {
     const std::shared_ptr<ApiObject> source = object_of(shapes);
-    object.group_sources.reserve(2 * object.group_sources.size() + 1);
+    if (object.group_sources.size() == object.group_sources.capacity())
+      object.group_sources.reserve(2 * object.group_sources.size() + 1);
     add_part(object, object.groups, out, [&](Occluders& to) {
       const GroupId group = to.add_group(source->occluders);
       object.group_sources.push_back(source->serial);

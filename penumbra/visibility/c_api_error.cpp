@@ -68,14 +68,19 @@ InProgress::~InProgress() { --progress_depth; }
 
 penumbra_error report_caught(const char* function, penumbra_occluders occluders) noexcept {
   const penumbra_error code = keep_caught(function);
+  // What it calls may fail in turn: it would be called without end.
+  thread_local bool is_telling = false;
+  if (is_telling) return code;
   // What the function calls may fail, and take the place of the message.
   const LastError told = last_error;
+  is_telling = true;
   try {
     if (const ErrorFunction error = error_function_of(occluders); error.call)
       error.call(error.user, code, told.message);
   } catch (...) {
     // Its exceptions end here: C has nowhere to throw them to, and the error is told already.
   }
+  is_telling = false;
   last_error = told;
   return code;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/visibility/committed.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace penumbra {

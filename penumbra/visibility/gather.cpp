@@ -187,10 +187,30 @@ void read_instances(const Description& description, GatheredShapes& to) {
   }
 }
 
+constexpr std::size_t most_primitives = (std::size_t{1} << 27) - 1;
+
+void require_few(std::size_t primitives) {
+  if (primitives > most_primitives)
+    throw Error({}, "the occluders are more than 2^27 primitives", "split the scene");
+}
+
+/// Before anything is made of them: rows may be as many as one likes, where all are one.
+void check_counts(const Numbered<GeometryRows>& geometries) {
+  std::size_t primitives = 0, vertices = 0;
+  for (const std::optional<GeometryRows>& rows : geometries) {
+    if (!rows) continue;
+    const bool is_mesh = rows->kind == ShapeKind::triangle;
+    primitives += is_mesh ? rows->triangles.size() : rows->positions.size();
+    vertices += is_mesh ? rows->positions.size() : 0;
+  }
+  require_few(primitives);
+  if (vertices > 3 * most_primitives)
+    throw Error({}, "the occluders have more than 3 * 2^27 vertices", "split the scene");
+}
+
 /// What is over all of it.
 void check_whole(const ShapeSet& shapes) {
-  if (primitive_count(shapes) >= 1u << 27)
-    throw Error({}, "the occluders are more than 2^27 primitives", "split the scene");
+  require_few(primitive_count(shapes));
   const Box box = bounds(shapes);
   if (!box.is_empty() && !(is_coordinate(box.lo) && is_coordinate(box.hi)))
     throw Error({}, "an instance reaches beyond 1e15", coordinate_hint);
@@ -199,6 +219,9 @@ void check_whole(const ShapeSet& shapes) {
 }  // namespace
 
 GatheredShapes gather(const Description& description) {
+  check_counts(description.geometries);
+  for (const auto& group : description.groups)
+    if (group) check_counts(*group);
   GatheredShapes gathered;
   gathered.degenerate_triangles =
       read_all(description.geometries, "", gathered.shapes, gathered.names.own);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <tbb/task_arena.h>
 
 #include "penumbra/geometry/light_sampling.h"
 #include "penumbra/scene/coordinates.h"
@@ -74,10 +75,12 @@ std::shared_ptr<const Committed> committed(const std::shared_ptr<const Committed
   return current;
 }
 
-void require_room(std::size_t given, const Points& points) {
-  if (given != points.positions.size())
-    fail(fmt::format("room for {} answers of {} points", given, points.positions.size()),
-         "give as much");
+/// An empty one says that nothing is wanted: of a question, it is wrong. Others are checked by
+/// `ask`.
+template <class T>
+void require_room(std::span<T> out, const Points& points) {
+  if (out.empty() && !points.positions.empty())
+    fail(fmt::format("room for 0 answers of {} points", points.positions.size()), "give as much");
 }
 
 constexpr std::size_t most_rows = 0xfffffffeu;
@@ -145,14 +148,18 @@ GeometryId Occluders::add_disks(VectorRows centers, VectorRows normals, NumberRo
 GroupId Occluders::add_group(const Occluders& shapes) {
   if (&shapes == this) fail("a group of itself", "give another object's shapes");
   Numbered<GeometryRows> geometries;
+  std::vector<std::shared_ptr<const void>> owners;
   {
     const std::lock_guard lock(shapes.data().description_mutex);
     for (const auto& instance : shapes.data().description.instances)
       if (instance) fail("a group has instances", "compose the placements");
     geometries = shapes.data().description.geometries;
+    owners = shapes.data().owners;
   }
   const std::lock_guard lock(data().description_mutex);
-  return {add_to(data().description.groups, std::move(geometries), "groups")};
+  const GroupId id{add_to(data().description.groups, std::move(geometries), "groups")};
+  data().owners.insert(data().owners.end(), owners.begin(), owners.end());
+  return id;
 }
 
 InstanceId Occluders::add_instance(GroupId group, const Transform& placement) {
@@ -212,9 +219,14 @@ CommitReport Occluders::commit(const CommitOptions& options) {
   CommitReport report{primitive_count(gathered.shapes), gathered.degenerate_triangles, false};
   const std::shared_ptr<const Committed> before = data().current();
   std::shared_ptr<const Committed> made;
-  if (before && options.may_refit && !data().has_new_parts) made = refitted(*before, gathered);
-  report.is_refitted = made != nullptr;
-  if (!made) made = build(std::move(gathered));
+  const bool may_refit = before && options.may_refit && !data().has_new_parts;
+  // The caller's own tasks, which may commit as well, are not taken up by a thread that waits here
+  // and holds what they would wait for.
+  tbb::this_task_arena::isolate([&] {
+    if (may_refit) made = refitted(*before, gathered);
+    report.is_refitted = made != nullptr;
+    if (!made) made = build(std::move(gathered));
+  });
   data().has_new_parts = false;
   const std::lock_guard swap_lock(data().committed_mutex);
   data().committed = std::move(made);
@@ -223,13 +235,13 @@ CommitReport Occluders::commit(const CommitOptions& options) {
 
 ShadowCounters Occluders::visibility(const Points& points, const LightShape& light,
                                      std::span<Visibility> out, const AskOptions& options) const {
-  require_room(out.size(), points);
+  require_room(out, points);
   return ask(*committed(data().current()), points, light, options, {.visibility = out});
 }
 
 ShadowCounters Occluders::classify(const Points& points, const LightShape& light,
                                    std::span<ShadowClass> out, const AskOptions& options) const {
-  require_room(out.size(), points);
+  require_room(out, points);
   return ask(*committed(data().current()), points, light, options, {.shadow_class = out});
 }
 
@@ -242,7 +254,7 @@ std::vector<ShadowClass> Occluders::classify(const Points& points, const LightSh
 
 ShadowCounters Occluders::visible_fraction(const Points& points, const LightShape& light,
                                            std::span<float> out, const AskOptions& options) const {
-  require_room(out.size(), points);
+  require_room(out, points);
   return ask(*committed(data().current()), points, light, options, {.fraction = out});
 }
 
@@ -256,7 +268,7 @@ std::vector<float> Occluders::visible_fraction(const Points& points, const Light
 ShadowCounters Occluders::visible_samples(const Points& points, const LightShape& light,
                                           std::span<std::uint32_t> out,
                                           const AskOptions& options) const {
-  if (out.empty()) require_room(0, points);
+  require_room(out, points);
   return ask(*committed(data().current()), points, light, options, {.free_samples = out});
 }
 

@@ -10,9 +10,9 @@
 //                                                        penumbra::BallLight{{0, 9, 0}, 1});
 //
 // Errors: everything here throws `Error` (scene/error.h) for arguments that cannot be meant, and
-// leaves the object as it was. Threads: any member may be called from any thread at any time.
-// Questions are answered of what was committed last when they began; they run side by side, also
-// beside a commit.
+// leaves the object as it was. Threads: any member may be called from any thread at any time, but
+// for moving and destroying. Questions are answered of what was committed last when they began;
+// they run side by side, also beside a commit.
 #pragma once
 
 #include <cstddef>
@@ -58,7 +58,8 @@ struct PrimitiveId {
   constexpr bool operator==(const PrimitiveId&) const = default;
 };
 
-/// Surface points that ask. `positions` and `normals` in scene units and the occluders' frame.
+/// Surface points that ask. `positions` and `normals` in scene units and the occluders' frame. Where
+/// they are no numbers the class is penumbra, and the fraction means nothing.
 struct Points {
   VectorRows positions;
   /// Geometric normals, on the side that looks at the light; of samples below the plane nothing is
@@ -84,7 +85,8 @@ struct AskOptions {
   std::optional<std::uint32_t> light_index = 0;
   std::uint32_t threads = 0;  ///< 0: all cores. Answers are the same for any number
   /// Called with the finished share in [0, 1], from any thread, one call at a time. False ends the
-  /// call with `Cancelled`.
+  /// question with `Cancelled`, and what it throws comes out of the question; answers are filled in
+  /// part then. It may run tasks of its own, and ask other questions.
   std::function<bool(double)> progress{};
 };
 
@@ -104,9 +106,9 @@ struct Blockers {
 
 /// How what was added becomes what is asked of.
 struct CommitOptions {
-  /// Where positions have moved and nothing else has changed, the hierarchy is fitted to them and
-  /// keeps its shape, which is quick and, where they have moved far, makes questions slower;
-  /// answers are the same. False builds it anew.
+  /// Where only what the arrays hold has changed, or placements, the hierarchy is fitted to it and
+  /// keeps its shape, which is quick and, where things have moved far, makes questions slower.
+  /// Fractions and samples are the same; more, or less, may be proven. False builds it anew.
   bool may_refit = true;
 };
 
@@ -168,16 +170,18 @@ class Occluders {
 
   /// Makes what was added and updated until now what questions are asked of. All coordinates must
   /// be finite and within 1e15, vertex numbers within range: else Error, and what was committed
-  /// before stays. Cost: O(n log n) over all cores; of refitting, O(n). Memory: 24 bytes a triangle
-  /// while it runs, beside what stays (`memory_bytes`).
+  /// before stays. Cost: O(n log n) over all cores; of refitting, O(n). Memory beside what stays
+  /// (`memory_bytes`): some 140 bytes a triangle while it runs, 50 when refitting; and what was
+  /// committed before, until its last question has been answered.
   CommitReport commit(const CommitOptions& options = {});
 
   // --- Questions. Before the first `commit` they throw. `light` as penumbra::LightShape says. ---
 
   /// Class of each point, for the light as a whole: lit (nothing blocks what of it is above the
   /// point's horizon) and umbra (all of it is blocked, or below) are proofs, penumbra means that
-  /// neither was found. No sample is taken, but by `stochastic`, whose classes are those of its
-  /// samples. Cost: 5 to 500 ns a point, less where neighbours follow one another.
+  /// neither was found. Which are, depends on what is asked together, as neighbours share their
+  /// proofs. No sample is taken, but by `stochastic`, whose classes are those of its samples. Cost:
+  /// 5 to 500 ns a point, less where neighbours follow one another.
   ShadowCounters classify(const Points& points, const LightShape& light, std::span<ShadowClass> out,
                           const AskOptions& options = {}) const;
   std::vector<ShadowClass> classify(const Points& points, const LightShape& light,

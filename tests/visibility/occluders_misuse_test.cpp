@@ -182,7 +182,7 @@ TEST_F(OccludersMisuse, CommitsOfPlacementsThatCannotBeFail) {
 TEST_F(OccludersMisuse, QuestionsThatCannotBeMeantAreRefused) {
   std::vector<float> few(3);
   expect_error([&] { occluders.visible_fraction(points, light, few); },
-               "room for 3 answers of 400 points");
+               "room for 3 answers where 400 are to come");
   Points bad = points;
   bad.normals = rows_of(arrays.centers);
   expect_error([&] { occluders.visible_fraction(bad, light); }, "3 normals for 400 points");

@@ -10,6 +10,8 @@
 #include <mutex>
 #include <numeric>
 
+#include <tbb/parallel_for.h>
+
 #include "penumbra/geometry/placed_shape.h"
 #include "penumbra/scene/complete_scene.h"
 #include "penumbra/scene/error.h"
@@ -216,6 +218,56 @@ TEST(Occluders, answer_points_outside_of_them_by_proof) {
   EXPECT_GT(counters.lit, points.size() * 9 / 10);
 }
 
+TEST(Occluders, are_not_lost_to_the_proofs_by_one_point_far_away) {
+  const Roof roof;
+  auto points = floor_points(4000, 3);
+  const SunLight sun = sun_light({0.2f, 0.1f, 1}, 2);
+  const auto proven = [&] {
+    const auto classes = roof.occluders.classify(on_floor(points), sun);
+    return classes.size() - static_cast<std::size_t>(
+                                std::count(classes.begin(), classes.end(), ShadowClass::penumbra));
+  };
+  const std::size_t before = proven();
+  EXPECT_GT(before, 3500u);
+  points[7] = {1e12f, 0, 0};
+  EXPECT_GE(proven() + 64, before);
+}
+
+TEST(Occluders, are_classed_alike_whatever_d_is) {
+  const Roof roof;
+  const auto points = floor_points(3000, 3);
+  const auto classes = roof.occluders.classify(on_floor(points), lamp);
+  for (const std::uint32_t d : {1u, 100u, 5000u})
+    EXPECT_EQ(roof.occluders.classify(on_floor(points), lamp, {.shadow_samples = d}), classes);
+}
+
+TEST(Occluders, let_progress_run_tasks_of_its_own) {
+  const Roof roof;
+  const auto points = floor_points(60000, 3);
+  std::atomic<int> done = 0;
+  const auto work = [&](double) {
+    tbb::parallel_for(0, 50, [&](int) { ++done; });
+    return true;
+  };
+  for (int i = 0; i < 20; ++i)
+    roof.occluders.visible_fraction(on_floor(points), lamp, {.threads = 8, .progress = work});
+  EXPECT_GT(done, 0);
+}
+
+TEST(Occluders, call_no_progress_again_that_has_thrown) {
+  const Roof roof;
+  const auto points = floor_points(100000, 3);
+  std::atomic<int> calls = 0;
+  const auto fail = [&](double) -> bool {
+    ++calls;
+    throw std::runtime_error("the caller's own");
+  };
+  EXPECT_THROW(
+      roof.occluders.visible_fraction(on_floor(points), lamp, {.threads = 8, .progress = fail}),
+      std::runtime_error);
+  EXPECT_EQ(calls, 1);
+}
+
 TEST(Occluders, without_anything_in_them_hide_nothing) {
   Occluders none;
   EXPECT_EQ(none.commit().primitives, 0u);
@@ -226,6 +278,10 @@ TEST(Occluders, without_anything_in_them_hide_nothing) {
   EXPECT_TRUE(none.blockers({}, {}, lamp).primitives.empty());
   EXPECT_TRUE(none.shaft({{0, 0, 0}, {1, 1, 1}}, lamp).primitives.empty());
   EXPECT_TRUE(none.bounds().is_empty());
+  EXPECT_EQ(none.classify(on_floor(points), lamp),
+            std::vector<ShadowClass>(points.size(), ShadowClass::lit));
+  EXPECT_EQ(none.blockers({}, {}, lamp).shadow_class, ShadowClass::lit);
+  EXPECT_EQ(none.shaft({{0, 0, 0}, {1, 1, 1}}, lamp).shadow_class, ShadowClass::lit);
 }
 
 TEST(Occluders, with_numbers_that_are_none_are_in_doubt) {
