@@ -17,6 +17,11 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/library)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS gnuplot-nox)  # draws the plots of `penumbra reproduce`
 if(TARGET penumbra_python)
-  set(CPACK_DEBIAN_PACKAGE_RECOMMENDS python3-numpy)
+  # Program and libraries work without Python, so nothing depends on it; the module is of one version.
+  set(python ${Python3_VERSION_MAJOR})
+  set(minor ${Python3_VERSION_MINOR})
+  math(EXPR next "${minor} + 1")
+  set(CPACK_DEBIAN_PACKAGE_RECOMMENDS
+    "python3 (>= ${python}.${minor}), python3 (<< ${python}.${next}), python3-numpy")
 endif()
 include(CPack)

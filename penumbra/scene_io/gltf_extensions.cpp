@@ -10,14 +10,15 @@
 namespace penumbra {
 namespace {
 
-/// Read, or of no matter for a still picture.
-constexpr std::array<std::string_view, 17> known{"EXT_mesh_gpu_instancing",
+/// Read, of no matter for a still picture, or warned of where they are used.
+constexpr std::array<std::string_view, 18> known{"EXT_mesh_gpu_instancing",
                                                  "KHR_animation_pointer",
                                                  "KHR_lights_punctual",
                                                  "KHR_materials_emissive_strength",
                                                  "KHR_materials_ior",
                                                  "KHR_materials_pbrSpecularGlossiness",
                                                  "KHR_materials_transmission",
+                                                 "KHR_materials_unlit",
                                                  "KHR_materials_variants",
                                                  "KHR_materials_volume",
                                                  "KHR_mesh_quantization",

@@ -221,6 +221,8 @@ GltfUvUse add_material(Builder& b, const Json& json, Scene& scene) {
     set_specular_glossiness(b.gltf, *specular, m);
   else
     set_metal_and_glass(b, json, m);
+  if (extension(json, "KHR_materials_unlit"))
+    b.warnings.add("KHR_materials_unlit is not read: surfaces of baked-in light are lit as others");
   set_emission(b, json, m);
   set_alpha(b, json, base, m);
   scene.materials.push_back(std::move(m));

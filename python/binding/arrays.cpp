@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "arguments.h"
+
 namespace penumbra::python {
 namespace {
 
@@ -21,21 +23,35 @@ std::vector<py::ssize_t> shape_of(const py::array& array) {
 
 std::string type_name(const py::dtype& type) { return py::str(py::handle(type)); }
 
-[[noreturn]] void refuse(const char* name, const std::string& found, const std::string& wanted) {
-  throw py::value_error(std::string(name) + " is " + found + "; give " + wanted);
+bool holds_whole(const py::array& array) {
+  return array.dtype().kind() == 'i' || array.dtype().kind() == 'u';
 }
+
+bool is_empty_list(const py::array& array) { return array.ndim() == 1 && array.size() == 0; }
 
 /// The object itself where it is an array of this type, else a copy.
 template <class Number>
 py::array numbers(py::handle object, const char* name, const char* wanted) {
+  refuse_mask(object, name);
   py::array array =
       py::array_t<Number, py::array::forcecast>::ensure(py::reinterpret_borrow<py::object>(object));
   if (!array) refuse(name, "nothing that makes an array of numbers", wanted);
   return array;
 }
 
+/// Of any whole type; an empty list, which NumPy takes for floats, is among them.
+py::array whole_numbers(py::handle object, const char* name, const char* wanted) {
+  refuse_mask(object, name);
+  py::array array = py::array::ensure(py::reinterpret_borrow<py::object>(object));
+  if (!array) refuse(name, "nothing that makes an array of numbers", wanted);
+  if (array.size() > 0 && !holds_whole(array))
+    refuse(name, "of type " + type_name(array.dtype()), wanted);
+  return array;
+}
+
 /// (n, 3) with packed triples, without a copy where the strides allow it.
 py::array triples(py::array array, const char* name, const char* wanted) {
+  if (is_empty_list(array)) array = array.reshape({py::ssize_t(0), py::ssize_t(3)});
   if (array.ndim() < 1 || array.shape(array.ndim() - 1) != 3)
     refuse(name, "of shape " + shape_text(shape_of(array)), wanted);
   if (array.ndim() != 2) array = array.reshape({py::ssize_t(-1), py::ssize_t(3)});
@@ -60,6 +76,12 @@ HeldRows<Number> flat_rows(py::array array, const char* name, std::size_t count,
 
 }  // namespace
 
+void refuse_mask(py::handle object, const char* name) {
+  if (py::isinstance<py::array>(object) &&
+      py::cast<bool>(py::module_::import("numpy.ma").attr("is_masked")(object)))
+    refuse(name, "masked in part", "what its mask leaves, or .filled(...) with values");
+}
+
 HeldRows<Vec3f> vector_rows(py::handle object, const char* name) {
   constexpr const char* wanted = "an array of shape (n, 3), best float32";
   return rows_of<Vec3f>(triples(numbers<float>(object, name, wanted), name, wanted));
@@ -67,14 +89,9 @@ HeldRows<Vec3f> vector_rows(py::handle object, const char* name) {
 
 HeldRows<std::array<std::uint32_t, 3>> triangle_rows(py::handle object, const char* name) {
   constexpr const char* wanted = "vertex numbers of shape (n, 3), best uint32";
-  const py::object numpy = py::module_::import("numpy");
-  py::array array = py::array::ensure(py::reinterpret_borrow<py::object>(object));
-  if (!array) refuse(name, "nothing that makes an array of numbers", wanted);
-  const char kind = array.dtype().kind();
-  if (array.size() > 0 && kind != 'i' && kind != 'u')
-    refuse(name, "of type " + type_name(array.dtype()), wanted);
+  py::array array = whole_numbers(object, name, wanted);
   const bool is_in_place =
-      (kind == 'i' || kind == 'u') && array.itemsize() == 4 && array.dtype().byteorder() == '=';
+      holds_whole(array) && array.itemsize() == 4 && array.dtype().byteorder() == '=';
   if (!is_in_place) {
     // Wider numbers must not come around to valid ones. (Negative int32 are beyond any vertex.)
     if (array.size() > 0 && (py::cast<double>(array.attr("min")()) < 0 ||
@@ -82,7 +99,8 @@ HeldRows<std::array<std::uint32_t, 3>> triangle_rows(py::handle object, const ch
       refuse(name, "beyond 32 bits", wanted);
     array = numbers<std::uint32_t>(array, name, wanted);
   }
-  if (array.ndim() != 2) refuse(name, "of shape " + shape_text(shape_of(array)), wanted);
+  if (array.ndim() != 2 && !is_empty_list(array))
+    refuse(name, "of shape " + shape_text(shape_of(array)), wanted);
   return rows_of<std::array<std::uint32_t, 3>>(triples(std::move(array), name, wanted));
 }
 
@@ -94,8 +112,11 @@ HeldRows<float> number_rows(py::handle object, const char* name, std::size_t cou
 }
 
 HeldRows<std::uint64_t> key_rows(py::handle object, const char* name, std::size_t count) {
-  return flat_rows<std::uint64_t>(numbers<std::uint64_t>(object, name, "an array of uint64"), name,
-                                  count, "keys");
+  constexpr const char* wanted = "an array of uint64";
+  const py::array array = whole_numbers(object, name, wanted);
+  if (array.size() > 0 && py::cast<double>(array.attr("min")()) < 0)
+    refuse(name, "negative in part", wanted);
+  return flat_rows<std::uint64_t>(numbers<std::uint64_t>(array, name, wanted), name, count, "keys");
 }
 
 Vec3d vector_of_doubles(py::handle object, const char* name) {
@@ -122,7 +143,7 @@ py::tuple tuple_of(Vec3d v) { return py::make_tuple(v.x, v.y, v.z); }
 
 std::vector<py::ssize_t> leading_shape(const py::array& array) {
   std::vector<py::ssize_t> shape = shape_of(array);
-  if (!shape.empty()) shape.pop_back();
+  if (!shape.empty() && !is_empty_list(array)) shape.pop_back();
   return shape;
 }
 

@@ -24,15 +24,18 @@ struct HeldRows {
   Rows<Row> rows;
 };
 
+/// Throws ValueError for a masked array with a mask, which everything else here would pass over.
+void refuse_mask(py::handle object, const char* name);
+
 /// Positions or directions of shape (..., 3). float32 with packed triples is read in place,
-/// whatever the other strides; all else that NumPy makes numbers of is copied. `name` is the
-/// argument's. Throws ValueError.
+/// whatever the other strides; all else that NumPy makes numbers of is copied, and [] is no rows.
+/// `name` is the argument's. Throws ValueError.
 HeldRows<Vec3f> vector_rows(py::handle object, const char* name);
 /// The same for vertex numbers of shape (n, 3): uint32 and int32 in place.
 HeldRows<std::array<std::uint32_t, 3>> triangle_rows(py::handle object, const char* name);
 /// `count` numbers, or one for all.
 HeldRows<float> number_rows(py::handle object, const char* name, std::size_t count);
-/// `count` keys.
+/// `count` keys, of any whole type.
 HeldRows<std::uint64_t> key_rows(py::handle object, const char* name, std::size_t count);
 
 /// Three numbers; a ValueError that names the argument otherwise.
@@ -42,7 +45,7 @@ std::vector<Vec3f> vectors_of(py::handle object, const char* name);
 py::tuple tuple_of(Vec3f v);
 py::tuple tuple_of(Vec3d v);
 
-/// The axes before the last: those of one answer a point.
+/// The axes before the last: those of one answer a point. Of []: no answers.
 std::vector<py::ssize_t> leading_shape(const py::array& array);
 
 /// `out` unless it is None, else a new array. `out` must be of just this type and shape, C

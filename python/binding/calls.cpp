@@ -36,9 +36,12 @@ bool Watch::goes_on(double share) {
 }
 
 bool Watch::tell(double share) {
-  if (!progress_(share).is(py::bool_(false))) return true;
+  const py::object answer = progress_(share);
+  const int goes_on = answer.is_none() ? 1 : PyObject_IsTrue(answer.ptr());
+  if (goes_on == 1) return true;
+  if (goes_on < 0) throw py::error_already_set();
   PyErr_SetString(py::module_::import("penumbra._penumbra").attr("Cancelled").ptr(),
-                  "progress returned False");
+                  "progress returned what is false");
   throw py::error_already_set();
 }
 

@@ -17,7 +17,8 @@ namespace py = pybind11;
 /// Watches over one long call. Made, and destroyed, with the lock of the interpreter held.
 class Watch {
  public:
-  /// `progress`: None, or a callable that gets the finished share; False from it ends the call.
+  /// `progress`: None, or a callable that gets the finished share; what is false, but not
+  /// None, ends the call.
   explicit Watch(py::object progress);
 
   /// The library's `progress`: from any thread, one call at a time. False ends the call.

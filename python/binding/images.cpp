@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "arrays.h"
 #include "penumbra/scene/image.h"
 #include "penumbra/scene_io/image_io.h"
 #include "scenes.h"
@@ -22,6 +23,7 @@ namespace {
 using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
 
 Floats floats_of(py::handle object, const char* name) {
+  refuse_mask(object, name);
   Floats array = Floats::ensure(py::reinterpret_borrow<py::object>(object));
   if (!array) throw py::value_error(std::string(name) + " is no array of numbers");
   return array;

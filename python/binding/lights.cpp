@@ -8,7 +8,9 @@
 #include <string>
 #include <utility>
 
+#include "arguments.h"
 #include "arrays.h"
+#include "light_values.h"
 #include "penumbra/scene/error.h"
 #include "penumbra/scene_io/light_spec.h"
 #include "penumbra/visibility/lights.h"
@@ -40,7 +42,8 @@ std::string text_of(const char* name,
 }
 
 void bind_round_lights(py::module_& m) {
-  py::class_<PointLight>(m, "Point", "A light without size: the visible fraction is 0 or 1.")
+  py::class_<PointLight> point(m, "Point", "A light without size: the visible fraction is 0 or 1.");
+  point
       .def(py::init(
                [](py::object center) { return checked(PointLight{vector_of(center, "center")}); }),
            py::arg("center"))
@@ -48,9 +51,10 @@ void bind_round_lights(py::module_& m) {
       .def("__repr__", [](const PointLight& l) {
         return text_of("Point", {{"center", tuple_of(l.center)}});
       });
+  bind_as_value(point);
 
-  py::class_<BallLight>(m, "Ball", "A solid ball; radius above 0, in scene units.")
-      .def(py::init([](py::object center, float radius) {
+  py::class_<BallLight> ball(m, "Ball", "A solid ball; radius above 0, in scene units.");
+  ball.def(py::init([](py::object center, float radius) {
              return checked(BallLight{vector_of(center, "center"), radius});
            }),
            py::arg("center"), py::arg("radius"))
@@ -59,9 +63,10 @@ void bind_round_lights(py::module_& m) {
       .def("__repr__", [](const BallLight& l) {
         return text_of("Ball", {{"center", tuple_of(l.center)}, {"radius", py::float_(l.radius)}});
       });
+  bind_as_value(ball);
 
-  py::class_<DiskLight>(m, "Disk", "A flat disk that shines both ways; any normal but 0.")
-      .def(py::init([](py::object center, py::object normal, float radius) {
+  py::class_<DiskLight> disk(m, "Disk", "A flat disk that shines both ways; any normal but 0.");
+  disk.def(py::init([](py::object center, py::object normal, float radius) {
              return checked(
                  DiskLight{vector_of(center, "center"), vector_of(normal, "normal"), radius});
            }),
@@ -74,14 +79,17 @@ void bind_round_lights(py::module_& m) {
                                 {"normal", tuple_of(l.normal)},
                                 {"radius", py::float_(l.radius)}});
       });
+  bind_as_value(disk);
+}
 
-  py::class_<SunLight>(m, "Sun",
-                       "A cone of directions, the same from everywhere: `towards` it, of any "
-                       "length, and its angular diameter in degrees.")
-      .def(py::init([](py::object towards, float diameter_deg) {
-             return sun_light(vector_of(towards, "towards"), diameter_deg);
-           }),
-           py::arg("towards"), py::arg("diameter_deg") = 0.533f)
+void bind_sun(py::module_& m) {
+  py::class_<SunLight> sun(m, "Sun",
+                           "A cone of directions, the same from everywhere: `towards` it, of any "
+                           "length, and its angular diameter in degrees.");
+  sun.def(py::init([](py::object towards, float diameter_deg) {
+            return sun_light(vector_of(towards, "towards"), diameter_deg);
+          }),
+          py::arg("towards"), py::arg("diameter_deg") = 0.533f)
       .def_property_readonly("towards", [](const SunLight& l) { return tuple_of(l.direction); })
       .def_property_readonly(
           "diameter_deg",
@@ -91,11 +99,12 @@ void bind_round_lights(py::module_& m) {
                        {{"towards", tuple_of(l.direction)},
                         {"diameter_deg", py::float_(l.half_angle_rad * degrees_of_half_radians)}});
       });
+  bind_as_value(sun);
 }
 
 void bind_straight_lights(py::module_& m) {
-  py::class_<LineLight>(m, "Line", "The segment from a to b, a row of points.")
-      .def(py::init([](py::object a, py::object b) {
+  py::class_<LineLight> line(m, "Line", "The segment from a to b, a row of points.");
+  line.def(py::init([](py::object a, py::object b) {
              const Vec3d from = vector_of_doubles(a, "a"), to = vector_of_doubles(b, "b");
              return checked(LineLight{Vec3f((from + to) / 2.0), Vec3f((to - from) / 2.0)});
            }),
@@ -106,10 +115,12 @@ void bind_straight_lights(py::module_& m) {
         return text_of("Line",
                        {{"a", tuple_of(l.center - l.half)}, {"b", tuple_of(l.center + l.half)}});
       });
+  bind_as_value(line);
 
-  py::class_<ParallelogramLight>(
+  py::class_<ParallelogramLight> parallelogram(
       m, "Parallelogram",
-      "center + a u + b v with a, b in [-1, 1]: u and v are half edges. Shines both ways.")
+      "center + a u + b v with a, b in [-1, 1]: u and v are half edges. Shines both ways.");
+  parallelogram
       .def(py::init([](py::object center, py::object u, py::object v) {
              return checked(ParallelogramLight{vector_of(center, "center"), vector_of(u, "u"),
                                                vector_of(v, "v")});
@@ -124,9 +135,13 @@ void bind_straight_lights(py::module_& m) {
             "Parallelogram",
             {{"center", tuple_of(l.center)}, {"u", tuple_of(l.u)}, {"v", tuple_of(l.v)}});
       });
+  bind_as_value(parallelogram);
+}
 
-  py::class_<PolygonLight>(
-      m, "Polygon", "A flat convex polygon, corners (n, 3) in order around it. Shines both ways.")
+void bind_cornered_lights(py::module_& m) {
+  py::class_<PolygonLight> polygon(
+      m, "Polygon", "A flat convex polygon, corners (n, 3) in order around it. Shines both ways.");
+  polygon
       .def(py::init(
                [](py::object corners) { return polygon_light(vectors_of(corners, "corners")); }),
            py::arg("corners"))
@@ -135,22 +150,29 @@ void bind_straight_lights(py::module_& m) {
       .def("__repr__", [](const PolygonLight& l) {
         return text_of("Polygon", {{"corners", tuples_of(l.corners)}});
       });
+  bind_as_value(polygon);
 
-  py::class_<MeshLight>(m, "Hull", "The convex hull of points (n, 3), which enclose a volume.")
-      .def(py::init([](py::object points) { return hull_light(vectors_of(points, "points")); }),
+  py::class_<MeshLight> hull(m, "Hull",
+                             "The convex hull of points (n, 3), which enclose a volume.");
+  hull.def(py::init([](py::object points) { return hull_light(vectors_of(points, "points")); }),
            py::arg("points"))
       .def_property_readonly("center", [](const MeshLight& l) { return tuple_of(l.center); })
       .def_property_readonly("points", [](const MeshLight& l) { return tuples_of(l.corners); })
       .def("__repr__", [](const MeshLight& l) {
         return text_of("Hull", {{"points", tuples_of(l.corners)}});
       });
+  bind_as_value(hull);
+}
+
+const char* falloff_name(const Light& light) {
+  return light.falloff == Falloff::none ? "none" : "inverse_square";
 }
 
 void bind_light(py::module_& m) {
-  py::class_<Light>(m, "Light",
-                    "A light of a scene: its shape and its linear RGB intensity. `falloff` is "
-                    "'none' (the intensity is an irradiance) or 'inverse_square'.")
-      .def(py::init([](py::object shape, py::object intensity, const std::string& falloff) {
+  py::class_<Light> lamp(m, "Light",
+                         "A light of a scene: its shape and its linear RGB intensity. `falloff` is "
+                         "'none' (the intensity is an irradiance) or 'inverse_square'.");
+  lamp.def(py::init([](py::object shape, py::object intensity, const std::string& falloff) {
              Light light = light_of(shape);
              if (!intensity.is_none()) light.intensity = vector_of(intensity, "intensity");
              if (falloff != "none" && falloff != "inverse_square")
@@ -162,21 +184,21 @@ void bind_light(py::module_& m) {
            py::arg("shape"), py::arg("intensity") = py::none(), py::arg("falloff") = "none")
       .def_readonly("shape", &Light::shape)
       .def_property_readonly("intensity", [](const Light& l) { return tuple_of(l.intensity); })
-      .def_property_readonly(
-          "falloff",
-          [](const Light& l) { return l.falloff == Falloff::none ? "none" : "inverse_square"; })
+      .def_property_readonly("falloff", &falloff_name)
       .def_property_readonly("words", &light_words, "The light as words, as `--light` takes them.")
       .def("__repr__", [](const Light& l) {
-        return text_of("Light",
-                       {{"shape", py::cast(l.shape)}, {"intensity", tuple_of(l.intensity)}});
+        return text_of("Light", {{"shape", py::cast(l.shape)},
+                                 {"intensity", tuple_of(l.intensity)},
+                                 {"falloff", py::str(falloff_name(l))}});
       });
+  bind_as_value(lamp);
 }
 
 }  // namespace
 
 Light light_of(py::handle object) {
   if (py::isinstance<py::str>(object))
-    return parse_light(split_words(py::cast<std::string>(object)));
+    return parse_light(split_words(cast_named<std::string>(object, "light", "words in Unicode")));
   if (py::isinstance<Light>(object)) return py::cast<Light>(object);
   Light light;
   light.shape = light_shape_of(object);
@@ -201,7 +223,9 @@ std::vector<Light> lights_of(py::handle sequence) {
 
 void bind_lights(py::module_& module) {
   bind_round_lights(module);
+  bind_sun(module);
   bind_straight_lights(module);
+  bind_cornered_lights(module);
   bind_light(module);
 }
 

@@ -38,8 +38,8 @@ void bind_errors(py::module_& m) {
       "`line`, `byte` (None where there is none), `problem` and `hint`.";
   py::exception<Cancelled> cancelled(m, "Cancelled", PyExc_RuntimeError);
   cancelled.attr("__doc__") =
-      "A call whose `progress` returned False. What was to be filled is "
-      "filled in part.";
+      "A call whose `progress` returned False, or what else is false but not None. What was to be "
+      "filled is filled in part.";
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);

@@ -10,6 +10,7 @@ namespace {
 
 /// Rows of a 3x4 or 4x4 matrix that maps columns (x, y, z, 1).
 Transform transform_of(py::handle object) {
+  refuse_mask(object, "placement");
   constexpr const char* wanted = "placement must be a matrix of shape (3, 4) or (4, 4)";
   const auto matrix = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(
       py::reinterpret_borrow<py::object>(object));

@@ -2,6 +2,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -9,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "arguments.h"
 #include "arrays.h"
 #include "calls.h"
 #include "lights.h"
@@ -25,8 +27,7 @@ struct HeldPoints {
 };
 
 struct PointArguments {
-  py::object positions, normals, offset, keys;
-  std::uint64_t first_key;
+  py::object positions, normals, offset, keys, first_key;
 };
 
 HeldPoints points_of(const PointArguments& given) {
@@ -44,8 +45,8 @@ HeldPoints points_of(const PointArguments& given) {
       held.points.normals = VectorRows(normals.array.data(), count, 0);
     held.arrays.push_back(normals.array);
   }
-  if (!given.offset.is_none()) held.points.offset = py::cast<float>(given.offset);
-  held.points.first_key = given.first_key;
+  held.points.offset = optional_named<float>(given.offset, "offset");
+  held.points.first_key = cast_named<std::uint64_t>(given.first_key, "first_key");
   if (!given.keys.is_none()) {
     const auto keys = key_rows(given.keys, "keys", count);
     held.points.keys = keys.rows;
@@ -56,30 +57,39 @@ HeldPoints points_of(const PointArguments& given) {
 
 /// What every question takes beside points and light, in this order.
 struct Asking {
-  std::uint32_t shadow_samples;
-  std::string method;
-  std::optional<std::uint32_t> light_index;
-  std::uint32_t threads;
-  py::object progress;
+  py::object shadow_samples, method, light_index, threads, progress, out, counters;
 };
 
-/// Asks for one answer a point, or `row` of them, into `out` or a new array.
-template <class Value, class Question>
+AskOptions options_of(const Asking& asking) {
+  return {
+      .shadow_samples = cast_named<std::uint32_t>(asking.shadow_samples, "shadow_samples"),
+      .method = method_of(cast_named<std::string>(asking.method, "method")),
+      .light_index = optional_named<std::uint32_t>(asking.light_index, "light_index"),
+      .threads = cast_named<std::uint32_t>(asking.threads, "threads"),
+  };
+}
+
+/// Words of a point's bits; of numbers of samples that will be refused, some.
+py::ssize_t words_of(std::uint32_t samples) { return (std::clamp(samples, 1u, 65536u) + 31) / 32; }
+
+/// One answer a point, or a row of bits.
+enum class Answers { values, bits };
+
+/// Puts answers into `out` or a new array.
+template <Answers answers, class Value, class Question>
 py::array ask(const PointArguments& given, const Asking& asking, const py::dtype& type,
-              py::ssize_t row, py::object out, ShadowCounters* counters, Question question) {
+              Question question) {
   HeldPoints held = points_of(given);
-  if (row > 0) held.shape.push_back(row);
-  py::array answers = answer_array(out, type, held.shape);
-  AskOptions options{.shadow_samples = asking.shadow_samples,
-                     .method = method_of(asking.method),
-                     .light_index = asking.light_index,
-                     .threads = asking.threads};
+  AskOptions options = options_of(asking);
+  auto* counters = cast_named<ShadowCounters*>(asking.counters, "counters", "penumbra.Counters()");
+  if (answers == Answers::bits) held.shape.push_back(words_of(options.shadow_samples));
+  py::array array = answer_array(asking.out, type, held.shape);
   Watch watch(asking.progress);
   options.progress = [&watch](double share) { return watch.goes_on(share); };
-  const std::span<Value> values = values_of<Value>(answers);
+  const std::span<Value> values = values_of<Value>(array);
   const ShadowCounters cost = watch.run([&] { return question(held.points, values, options); });
   if (counters) counters->add(cost);
-  return answers;
+  return array;
 }
 
 py::dtype visibility_type() {
@@ -117,23 +127,21 @@ py::tuple blockers_of(Question question) {
 }
 
 using Object = py::object;
-using Number = std::uint32_t;
 
-template <class Value, class Question>
+template <class Value, Answers answers = Answers::values, class Question>
 auto question_of(py::dtype type, Question question) {
-  return
-      [type, question](const KeptOccluders& o, Object positions, Object light, Object normals,
-                       Object offset, Object keys, std::uint64_t first_key, Number samples,
-                       const std::string& method, std::optional<Number> light_index, Number threads,
-                       Object progress, Object out, ShadowCounters* counters, Number row) {
-        const LightShape shape = light_shape_of(light);
-        return ask<Value>(
-            {positions, normals, offset, keys, first_key},
-            {samples, method, light_index, threads, progress}, type, row, out, counters,
-            [&](const Points& points, std::span<Value> values, const AskOptions& options) {
-              return question(o.asked(), points, shape, values, options);
-            });
-      };
+  return [type, question](const KeptOccluders& o, Object positions, Object light, Object normals,
+                          Object offset, Object keys, Object first_key, Object samples,
+                          Object method, Object light_index, Object threads, Object progress,
+                          Object out, Object counters) {
+    const LightShape shape = light_shape_of(light);
+    return ask<answers, Value>(
+        {positions, normals, offset, keys, first_key},
+        {samples, method, light_index, threads, progress, out, counters}, type,
+        [&](const Points& points, std::span<Value> values, const AskOptions& options) {
+          return question(o.asked(), points, shape, values, options);
+        });
+  };
 }
 
 void bind_counters(py::module_& m) {
@@ -169,7 +177,7 @@ void bind_arrays_of_answers(OccludersClass& c) {
                [](const Occluders& o, const Points& p, const LightShape& l, std::span<float> out,
                   const AskOptions& a) { return o.visible_fraction(p, l, out, a); }))
       .def("visible_samples",
-           question_of<std::uint32_t>(
+           question_of<std::uint32_t, Answers::bits>(
                number_type, [](const Occluders& o, const Points& p, const LightShape& l,
                                std::span<std::uint32_t> out,
                                const AskOptions& a) { return o.visible_samples(p, l, out, a); }))
@@ -180,10 +188,12 @@ void bind_arrays_of_answers(OccludersClass& c) {
                                       const AskOptions& a) { return o.visibility(p, l, out, a); }));
 }
 
-py::array light_sample_array(Object light, Object position, std::uint64_t key, Number samples,
-                             Number light_index) {
+py::array light_sample_array(Object light, Object position, Object key, Object samples,
+                             Object light_index) {
   const std::vector<Vec3f> ways = light_samples(
-      light_shape_of(light), vector_of(position, "position"), key, samples, light_index);
+      light_shape_of(light), vector_of(position, "position"), cast_named<std::uint64_t>(key, "key"),
+      cast_named<std::uint32_t>(samples, "shadow_samples"),
+      optional_named<std::uint32_t>(light_index, "light_index"));
   py::array_t<float> array({static_cast<py::ssize_t>(ways.size()), py::ssize_t(3)});
   auto row = array.mutable_unchecked<2>();
   for (py::ssize_t i = 0; i < row.shape(0); ++i)

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "arguments.h"
 #include "arrays.h"
 #include "calls.h"
 #include "kept_occluders.h"
@@ -34,10 +35,8 @@ struct DrawnScene {
 };
 
 template <class Value>
-std::optional<Value> optional_of(const py::dict& options, const char* name) {
-  const py::object value = options[name];
-  if (value.is_none()) return {};
-  return py::cast<Value>(value);
+Value value_in(const py::dict& options, const char* name) {
+  return cast_named<Value>(options[name], name);
 }
 
 std::optional<Vec3d> vector_in(const py::dict& options, const char* name) {
@@ -56,12 +55,14 @@ std::optional<LightRadius> light_radius_of(py::handle given) {
   if (given.is_none()) return {};
   LightRadius radius;
   if (py::isinstance<py::str>(given)) {
-    std::string text = py::cast<std::string>(given);
+    auto text = cast_named<std::string>(given, "light_radius");
     radius.is_percent = text.ends_with('%');
     if (radius.is_percent) text.pop_back();
-    radius.value = py::cast<float>(py::float_(py::str(text)));
+    const auto number = py::reinterpret_steal<py::object>(PyFloat_FromString(py::str(text).ptr()));
+    if (!number) PyErr_Clear();  // a radius of 0, which is refused
+    radius.value = number ? py::cast<float>(number) : 0;
   } else {
-    radius.value = py::cast<float>(given);
+    radius.value = cast_named<float>(given, "light_radius", "a number, or such as '10%'");
   }
   if (!(radius.value > 0 && radius.value <= 1e15f))
     throw py::value_error("light_radius must be above 0, a number or such as '10%'");
@@ -70,9 +71,9 @@ std::optional<LightRadius> light_radius_of(py::handle given) {
 
 std::variant<GroundChoice, double> ground_of(py::handle given) {
   if (given.is_none()) return GroundChoice::none;
-  if (!py::isinstance<py::str>(given)) return py::cast<double>(given);
-  if (py::cast<std::string>(given) != "auto")
-    throw py::value_error("ground must be 'auto', None or a height");
+  constexpr const char* wanted = "'auto', None or a height";
+  if (!py::isinstance<py::str>(given)) return cast_named<double>(given, "ground", wanted);
+  if (!given.equal(py::str("auto"))) refuse("ground", "other text", wanted);
   return GroundChoice::automatic;
 }
 
@@ -81,23 +82,23 @@ SceneOptions scene_options_of(const py::dict& options) {
   scene.from = vector_in(options, "camera_from");
   scene.at = vector_in(options, "camera_at");
   scene.up = vector_in(options, "camera_up");
-  scene.fov_deg = optional_of<double>(options, "fov_deg");
+  scene.fov_deg = optional_named<double>(options["fov_deg"], "fov_deg");
   scene.lights = lights_of(options["lights"]);
   scene.light_radius = light_radius_of(options["light_radius"]);
   scene.ground = ground_of(options["ground"]);
   scene.background = color_in(options, "background");
   scene.ambient = color_in(options, "ambient");
-  scene.clear_glass = py::cast<bool>(options["clear_glass"]);
+  scene.clear_glass = value_in<bool>(options, "clear_glass");
   return scene;
 }
 
 ReadOptions read_options_of(const py::dict& options) {
   ReadOptions read;
-  const std::string style = py::cast<std::string>(options["style"]);
+  const std::string style = value_in<std::string>(options, "style");
   if (style != "ball-and-stick" && style != "space-filling")
     throw py::value_error("style is '" + style + "'; give 'ball-and-stick' or 'space-filling'");
   if (style == "space-filling") read.style = MoleculeStyle::space_filling;
-  read.waters = py::cast<bool>(options["waters"]);
+  read.waters = value_in<bool>(options, "waters");
   return read;
 }
 
@@ -164,24 +165,41 @@ py::dict layers_of(const Image& image) {
   return layers;
 }
 
+struct Size {
+  std::uint32_t width, height;
+};
+
+Size size_of(py::handle given, const Camera& camera) {
+  if (given.is_none()) return {camera.width, camera.height};
+  constexpr const char* wanted = "(width, height) in pixels";
+  if (!py::isinstance<py::sequence>(given) || py::isinstance<py::str>(given))
+    refuse_type(given, "size", wanted);
+  const auto sides = py::reinterpret_borrow<py::sequence>(given);
+  if (sides.size() != 2) refuse("size", "of " + std::to_string(sides.size()) + " numbers", wanted);
+  const auto side = [&](std::size_t i) {
+    return cast_named<std::uint32_t>(py::object(sides[i]), "size", wanted);
+  };
+  return {side(0), side(1)};
+}
+
 py::dict render_scene(DrawnScene& drawn, const py::dict& options) {
   const auto count = [&options](const char* name) {
-    return py::cast<std::uint32_t>(options[name]);
+    return value_in<std::uint32_t>(options, name);
   };
-  const auto size = optional_of<std::pair<std::uint32_t, std::uint32_t>>(options, "size");
+  const Size size = size_of(options["size"], *drawn.scene.camera);
   RenderOptions render{.shadow_samples = count("shadow_samples"),
-                       .width = size ? size->first : drawn.scene.camera->width,
-                       .height = size ? size->second : drawn.scene.camera->height,
+                       .width = size.width,
+                       .height = size.height,
                        .samples_per_pixel = count("samples_per_pixel"),
                        .depth = count("depth"),
-                       .seed = py::cast<std::uint64_t>(options["seed"]),
+                       .seed = value_in<std::uint64_t>(options, "seed"),
                        .threads = count("threads")};
   for (const py::handle name : options["layers"]) {
-    const Aov aov = aov_of(py::cast<std::string>(name));
+    const Aov aov = aov_of(cast_named<std::string>(name, "layers", "names of layers"));
     if (std::ranges::find(render.aovs, aov) == render.aovs.end()) render.aovs.push_back(aov);
   }
   check(render);
-  const Method method = method_of(py::cast<std::string>(options["method"]));
+  const Method method = method_of(value_in<std::string>(options, "method"));
   Watch watch(options["progress"]);
   render.progress = [&watch](double share) {
     if (!watch.goes_on(share)) throw Cancelled();

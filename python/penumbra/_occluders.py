@@ -51,7 +51,8 @@ class Occluders:
     by every `commit`, and must not change while one runs; between commits they may.
 
     Nothing that is added is asked before `commit`. Any method may be called from any thread.
-    Wrong arguments raise ValueError (`Error` is one) and leave the object as it was.
+    Wrong arguments raise ValueError (`Error` is one), or TypeError where they are of the wrong
+    kind, and leave the object as it was. Among them are masked arrays that mask something.
 
     Notes
     -----
@@ -67,7 +68,7 @@ class Occluders:
     offset : float, optional
         How far points are moved along their normals first, off the surface that they lie on. By
         default 64 ulp of the largest coordinate of point and occluders.
-    keys : uint64 array, optional
+    keys : array of whole numbers, optional
         What the random numbers of each point are drawn by; by default first_key + its index.
     light_index : int or None
         Which light of several this is: another gets other samples. None: the keys are final.
@@ -75,7 +76,7 @@ class Occluders:
         0: all cores. Answers are the same for any number.
     progress : callable, optional
         Gets the finished share, 0 to 1, now and then, from any thread. What it raises ends the
-        call; returning False ends it with `Cancelled`.
+        call; returning what is false, but not None, ends it with `Cancelled`.
     out : array, optional
         Where answers go: writable, C contiguous, of the type and shape of what is returned.
     counters : Counters, optional
@@ -180,10 +181,10 @@ class Occluders:
                  counters: Optional[Counters] = None) -> npt.NDArray[np.uint8]:
         """Class of each point, for the light as a whole.
 
-        LIT (nothing blocks what of it is above the point's horizon) and UMBRA (all of it is blocked,
-        or below) are proofs, PENUMBRA means that neither was found. No sample is taken, but by
-        'stochastic', whose classes are those of 32 samples. Cost: 5 to 500 ns a point, less where neighbours follow one another.
-        See the class's notes for the keywords.
+        LIT (nothing blocks what of it is above the point's horizon) and UMBRA (all of it is
+        blocked, or below) are proofs, PENUMBRA means that neither was found. No sample is taken,
+        but by 'stochastic', whose classes are those of 32 samples. Cost: 5 to 500 ns a point, less
+        where neighbours follow one another. See the class's notes for the keywords.
 
         Parameters
         ----------
@@ -195,7 +196,7 @@ class Occluders:
         uint8 (...)
         """
         return self._core.classify(positions, light, normals, offset, None, 0, 32, method, 0,
-                                   threads, progress, out, counters, 0)
+                                   threads, progress, out, counters)
 
     def visible_fraction(self, positions: npt.ArrayLike, light: LightLike, *,
                          normals: Optional[npt.ArrayLike] = None, shadow_samples: int = 32,
@@ -220,7 +221,7 @@ class Occluders:
         """
         return self._core.visible_fraction(positions, light, normals, offset, keys, first_key,
                                            shadow_samples, method, light_index, threads, progress,
-                                           out, counters, 0)
+                                           out, counters)
 
     def visible_samples(self, positions: npt.ArrayLike, light: LightLike, *,
                         normals: Optional[npt.ArrayLike] = None, shadow_samples: int = 32,
@@ -240,13 +241,14 @@ class Occluders:
         """
         return self._core.visible_samples(positions, light, normals, offset, keys, first_key,
                                           shadow_samples, method, light_index, threads, progress,
-                                          out, counters, max(1, (shadow_samples + 31) // 32))
+                                          out, counters)
 
     def visibility(self, positions: npt.ArrayLike, light: LightLike, *,
                    normals: Optional[npt.ArrayLike] = None, shadow_samples: int = 32,
                    method: str = "shaft", offset: Optional[float] = None,
-                   keys: Optional[npt.ArrayLike] = None, first_key: int = 0, light_index: Optional[int] = 0,
-                   threads: int = 0, progress: Optional[Progress] = None,
+                   keys: Optional[npt.ArrayLike] = None, first_key: int = 0,
+                   light_index: Optional[int] = 0, threads: int = 0,
+                   progress: Optional[Progress] = None,
                    out: Optional[npt.NDArray[np.void]] = None,
                    counters: Optional[Counters] = None) -> npt.NDArray[np.void]:
         """All of it. See the class's notes for the keywords.
@@ -259,7 +261,7 @@ class Occluders:
         """
         return self._core.visibility(positions, light, normals, offset, keys, first_key,
                                      shadow_samples, method, light_index, threads, progress, out,
-                                     counters, 0)
+                                     counters)
 
     def blockers(self, position: npt.ArrayLike, light: LightLike, *,
                  normal: Optional[npt.ArrayLike] = None) -> Blockers:
@@ -284,7 +286,8 @@ class Occluders:
 
 
 def light_samples(light: LightLike, position: npt.ArrayLike, *, key: int = 0,
-                  shadow_samples: int = 32, light_index: int = 0) -> npt.NDArray[np.float32]:
+                  shadow_samples: int = 32,
+                  light_index: Optional[int] = 0) -> npt.NDArray[np.float32]:
     """Ways from a point to the light's samples, in the order of `Occluders.visible_samples`.
 
     Parameters
@@ -293,7 +296,11 @@ def light_samples(light: LightLike, position: npt.ArrayLike, *, key: int = 0,
     position : three numbers
         Where shadow rays begin.
     key : int
-        The point's: by default its index.
+        The point's: without keys of one's own, first_key + its index.
+    shadow_samples : int
+        Samples of the light, 1 to 65536.
+    light_index : int or None
+        As it was, or will be, asked about. None: the key is final.
 
     Returns
     -------

@@ -107,7 +107,7 @@ class Scene:
             Any of 'class', 'visibility', 'depth', 'normal', 'samples'.
         progress : callable, optional
             Gets the finished share, 0 to 1, now and then, from any thread. What it raises ends the
-            call; returning False ends it with `Cancelled`.
+            call; returning what is false, but not None, ends it with `Cancelled`.
 
         Returns
         -------

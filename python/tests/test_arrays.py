@@ -76,6 +76,34 @@ class ArraysThatGoIn(unittest.TestCase):
             occluders.add_triangles(positions, triangles.astype(kind))
             self.assertEqual(occluders.commit().primitives, 2)
 
+    def test_nothing_is_an_empty_list_or_an_empty_array(self):
+        occluders = shaded()
+        occluders.add_triangles([], [])
+        occluders.add_triangles(np.zeros((0, 3), np.float32), np.zeros((0, 3), np.uint32))
+        occluders.add_spheres([], [])
+        self.assertEqual(occluders.commit().primitives, 2)
+        self.assertEqual(occluders.classify([], LIGHT).shape, (0,))
+        self.assertEqual(occluders.visible_fraction([], LIGHT, normals=[], keys=[]).shape, (0,))
+        with self.assertRaises(penumbra.Error):
+            penumbra.Polygon([])
+
+    def test_keys_may_be_of_any_whole_type(self):
+        points, normals = floor_points(8)
+        occluders = shaded()
+        expected = occluders.visible_fraction(points, LIGHT, normals=normals, first_key=3)
+        for keys in (range(3, 11), np.arange(3, 11, dtype=np.uint64),
+                     np.arange(3, 11, dtype=np.int32), np.arange(3, 11, dtype=">u2")):
+            answers = occluders.visible_fraction(points, LIGHT, normals=normals, keys=keys)
+            np.testing.assert_array_equal(answers, expected)
+
+    def test_masked_arrays_are_arrays_where_they_mask_nothing(self):
+        points, normals = floor_points()
+        occluders = shaded()
+        for mask in (False, np.zeros(points.shape, bool)):
+            np.testing.assert_array_equal(
+                occluders.visible_fraction(np.ma.array(points, mask=mask), LIGHT, normals=normals),
+                occluders.visible_fraction(points, LIGHT, normals=normals))
+
     def test_one_radius_may_stand_for_all(self):
         occluders = penumbra.Occluders()
         occluders.add_spheres([[0, 0, 1], [9, 0, 1]], 0.5)
@@ -138,6 +166,33 @@ class ArraysOfTheWrongKind(unittest.TestCase):
         for triangles in ([[0.5, 1, 2]], [[-1, 1, 2]], [[0, 1, 2**32]], [0, 1, 2], [[0, 1]]):
             with self.assertRaisesRegex(ValueError, "triangles"):
                 occluders.add_triangles(positions, triangles)
+
+    def test_keys_that_are_not_whole_are_refused(self):
+        for keys in ([0.5, 1], [0.0, 1], np.array([True, False]), [1 + 1j, 2], ["1", "2"], [-1, 0]):
+            with self.assertRaisesRegex(ValueError, "^keys is .*; give an array of uint64"):
+                shaded().visible_fraction(np.zeros((2, 3)), LIGHT, keys=keys)
+
+    def test_masks_are_refused_since_they_would_be_passed_over(self):
+        def masked(array):
+            array = np.asarray(array)
+            return np.ma.array(array, mask=np.arange(array.size).reshape(array.shape) == 0)
+
+        positions, triangles = square()
+        occluders = shaded()
+        for name, call in [
+                ("positions", lambda: occluders.add_triangles(masked(positions), triangles)),
+                ("triangles", lambda: occluders.add_triangles(positions, masked(triangles))),
+                ("radii", lambda: occluders.add_spheres(positions, masked(np.ones(4)))),
+                ("placement", lambda: occluders.add_instance(
+                    occluders.add_group(penumbra.Occluders()), masked(np.eye(4)))),
+                ("normals", lambda: occluders.classify(positions, LIGHT,
+                                                       normals=masked(positions))),
+                ("keys", lambda: occluders.visible_fraction(positions, LIGHT,
+                                                            keys=masked(range(4)))),
+                ("center", lambda: penumbra.Point(masked([0, 0, 1.0]))),
+                ("image", lambda: penumbra.to_srgb(masked(positions)))]:
+            with self.assertRaisesRegex(ValueError, f"^{name} is masked in part; give"):
+                call()
 
     def test_nothing_is_kept_of_what_was_refused(self):
         positions, _ = square()

@@ -100,6 +100,67 @@ class Errors(unittest.TestCase):
             with self.assertRaises(ValueError, msg=wrong):
                 penumbra.render("cylinders", **wrong)
 
+    def test_arguments_of_the_wrong_kind_are_named_with_what_is_wanted(self):
+        occluders = penumbra.Occluders()
+        occluders.commit()
+        scene = penumbra.read("cylinders")
+        for ask in (occluders.visible_fraction, occluders.visible_samples, occluders.visibility):
+            for name, value in [("offset", "auto"), ("shadow_samples", 1.5),
+                                ("shadow_samples", "x"), ("shadow_samples", None),
+                                ("threads", None), ("threads", np.zeros(2, int)),
+                                ("first_key", 0.5), ("light_index", "x"), ("method", None),
+                                ("counters", 3)]:
+                with self.assertRaisesRegex(TypeError, f"^{name} is of type .*; give "):
+                    ask([[0, 0, 0]], LIGHT, **{name: value})
+        for name, value in [("size", (320.0, 240.0)), ("size", 320), ("size", "4,3"),
+                            ("shadow_samples", 1.5), ("shadow_samples", np.float32(1.5)),
+                            ("depth", None), ("seed", "x"), ("method", None), ("layers", [3])]:
+            with self.assertRaisesRegex(TypeError, f"^{name} is of type .*; give "):
+                scene.render(**{name: value})
+        for name, value in [("ground", (1,)), ("light_radius", [1]), ("fov_deg", "x"),
+                            ("clear_glass", "x"), ("waters", "x"), ("style", None)]:
+            with self.assertRaisesRegex(TypeError, f"^{name} is of type .*; give "):
+                penumbra.read("cylinders", **{name: value})
+        for name in ("key", "shadow_samples", "light_index"):
+            with self.assertRaisesRegex(TypeError, f"^{name} is of type .*; give "):
+                penumbra.light_samples(LIGHT, (0, 0, 0), **{name: 1.5})
+
+    def test_numbers_out_of_range_are_named_with_the_range(self):
+        occluders = penumbra.Occluders()
+        occluders.commit()
+        for ask in (occluders.visible_fraction, occluders.visible_samples):
+            for name in ("shadow_samples", "threads", "first_key", "light_index"):
+                for value in (-1, 2**64):
+                    found = f"^{name} is out of range; give a whole number from 0 to"
+                    with self.assertRaisesRegex(ValueError, found):
+                        ask([[0, 0, 0]], LIGHT, **{name: value})
+        with self.assertRaisesRegex(ValueError, "^threads is out of range"):
+            occluders.classify([[0, 0, 0]], LIGHT, threads=-1)
+        with self.assertRaisesRegex(ValueError, "^offset is out of range; give a number"):
+            occluders.visible_fraction([[0, 0, 0]], LIGHT, offset=10**400)
+        for wrong in ({"seed": -1}, {"threads": -1}, {"depth": -1}, {"size": (-1, 5)},
+                      {"size": (4, 3, 2)}, {"size": ()}):
+            with self.assertRaisesRegex(ValueError, f"^{list(wrong)[0]} is .*; give "):
+                penumbra.render("cylinders", **wrong)
+        for radius in ("x", "x%", "", "%", -1, "nan"):
+            with self.assertRaisesRegex(ValueError, "^light_radius must be above 0"):
+                penumbra.read("cylinders", light_radius=radius)
+
+    def test_numbers_of_numpy_are_numbers(self):
+        occluders = penumbra.Occluders()
+        occluders.commit()
+        seen = occluders.visible_fraction([[0, 0, 0]], LIGHT, shadow_samples=np.uint8(8),
+                                          threads=np.int64(1), offset=np.float32(0.5),
+                                          first_key=np.uint64(2**64 - 1), light_index=np.int32(3))
+        self.assertEqual(seen[0], 1)
+        picture = penumbra.render("cylinders", size=np.array([4, 3]), shadow_samples=np.int16(1),
+                                  clear_glass=np.bool_(True), fov_deg=np.float32(30), ground=0)
+        self.assertEqual(picture.shape, (3, 4, 3))
+
+    def test_words_that_are_no_unicode_are_a_type_error(self):
+        with self.assertRaisesRegex(TypeError, "^light is "):
+            penumbra.Light("sphere 0 0 4 0.5 \udcff")
+
     def test_points_that_are_not_finite_are_no_crash(self):
         occluders = penumbra.Occluders()
         occluders.add_triangles(*square())

@@ -43,8 +43,17 @@ class ProgressOfLongCalls(unittest.TestCase):
 
     def test_false_ends_the_call(self):
         for call in (long_picture, long_question):
-            with self.assertRaises(penumbra.Cancelled):
-                call(progress=lambda share: False)
+            for no in (False, np.bool_(False), 0):
+                with self.assertRaises(penumbra.Cancelled):
+                    call(progress=lambda share, no=no: no)
+
+    def test_none_and_what_is_true_go_on(self):
+        for yes in (None, True, np.bool_(True), "on"):
+            penumbra.render("cylinders", size=(8, 8), progress=lambda share, yes=yes: yes)
+
+    def test_what_is_neither_true_nor_false_comes_out(self):
+        with self.assertRaisesRegex(ValueError, "truth value"):
+            long_question(progress=lambda share: np.zeros(2))
 
     def test_what_it_raises_comes_out(self):
         def refuse(share):

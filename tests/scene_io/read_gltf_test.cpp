@@ -267,6 +267,12 @@ TEST(ReadGltf, what_is_not_read_is_a_warning_or_an_error) {
   text.primitive = R"(,"material":0)";
   text.rest = R"(,"materials":[{"alphaMode":"BLEND"}])";
   EXPECT_TRUE(holds(read(text).warnings.at(0), "alpha of textures"));
+  for (const char* required : {"", R"(,"extensionsRequired":["KHR_materials_unlit"])"}) {
+    text.rest = R"(,"materials":[{"extensions":{"KHR_materials_unlit":{}}}])";
+    text.rest += required;
+    ASSERT_EQ(read(text).warnings.size(), 1u);
+    EXPECT_TRUE(holds(read(text).warnings[0], "KHR_materials_unlit"));
+  }
   text.rest = R"(,"extensionsRequired":["KHR_draco_mesh_compression"])";
   EXPECT_TRUE(holds(error_in(text), "compressed (KHR_draco_mesh_compression)"));
   text = {};
