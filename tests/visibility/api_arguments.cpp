@@ -70,9 +70,10 @@ penumbra_rows random_rows(const void* data, std::size_t count, std::size_t row_s
                           Random& random) {
   const auto size = static_cast<std::ptrdiff_t>(row_size);
   if (random.one_in(100)) return {nullptr, random.below(3), size};
-  if (random.one_in(200)) return {data, SIZE_MAX >> random.below(3), 0};
-  if (random.one_in(200)) return {data, 1, std::ptrdiff_t{1} << random.below(63)};
+  if (random.one_in(200))
+    return {data, std::min<std::size_t>(count, 1), std::ptrdiff_t{1} << random.below(63)};
   if (count < 2) return {data, count, 0};
+  if (random.one_in(200)) return {data, SIZE_MAX >> random.below(3), 0};
   if (random.one_in(20)) {  // backwards
     const char* last = static_cast<const char*>(data) + (count - 1) * row_size;
     return {last, count, -size};
@@ -104,7 +105,8 @@ penumbra_points random_points(const Arrays& arrays, Random& random) {
     points.normals.count = 0;
   }
   // Of most points, and not of their number by chance alone.
-  if (points.normals.count && !random.one_in(10))
+  const bool is_as_long_as_said = std::max(points.positions.count, points.normals.count) < 1 << 20;
+  if (is_as_long_as_said && points.normals.count && !random.one_in(10))
     points.positions.count = points.normals.count =
         std::min(points.positions.count, points.normals.count);
   if (random.one_in(10)) {
