@@ -14,6 +14,7 @@ struct PointAnswerer::Data {
   AnswerOptions options;
   std::uint64_t first_key = 0;
   std::vector<Visibility> seen;
+  std::vector<ShadowClass> proven;
 };
 
 PointAnswerer::PointAnswerer(const Scene& scene, const AnswerOptions& options)
@@ -33,9 +34,11 @@ ShadowCounters PointAnswerer::answer(const PointBlock& points, std::uint64_t fir
                                      const std::function<void(double)>& progress) {
   Data& data = *data_;
   const std::size_t lights = data.lights.size(), count = points.positions.size();
+  const bool has_fractions = data.options.has_fractions;
   answers.classes.resize(count * lights);
-  answers.fractions.resize(count * lights);
-  data.seen.resize(count);
+  answers.fractions.resize(has_fractions ? count * lights : 0);
+  data.seen.resize(has_fractions ? count : 0);
+  data.proven.resize(has_fractions ? 0 : count);
   const Points asked{.positions = std::span(points.positions),
                      .normals = std::span(points.normals),
                      .offset = data.options.offset,
@@ -46,12 +49,19 @@ ShadowCounters PointAnswerer::answer(const PointBlock& points, std::uint64_t fir
       progress((static_cast<double>(light) + share) / static_cast<double>(lights));
       return true;
     };
-    counters.add(data.occluders.visibility(asked, data.lights[light], data.seen,
-                                           {.shadow_samples = data.options.shadow_samples,
-                                            .method = data.options.method,
-                                            .light_index = static_cast<std::uint32_t>(light),
-                                            .threads = data.options.threads,
-                                            .progress = report}));
+    const AskOptions how{.shadow_samples = data.options.shadow_samples,
+                         .method = data.options.method,
+                         .light_index = static_cast<std::uint32_t>(light),
+                         .threads = data.options.threads,
+                         .progress = report};
+    const LightShape& shape = data.lights[light];
+    if (!has_fractions) {
+      counters.add(data.occluders.classify(asked, shape, data.proven, how));
+      for (std::size_t i = 0, k = light; i < count; ++i, k += lights)
+        answers.classes[k] = static_cast<std::uint8_t>(data.proven[i]);
+      continue;
+    }
+    counters.add(data.occluders.visibility(asked, shape, data.seen, how));
     for (std::size_t i = 0, k = light; i < count; ++i, k += lights) {
       answers.classes[k] = static_cast<std::uint8_t>(data.seen[i].shadow_class);
       answers.fractions[k] = data.seen[i].fraction;

@@ -22,12 +22,13 @@ struct AnswerOptions {
   std::uint64_t seed = 0;
   std::uint32_t threads = 0;      ///< 0: all
   std::optional<float> offset{};  ///< along normals, in scene units; none: what float requires
+  bool has_fractions = true;      ///< false: classes alone, for which no samples are taken
 };
 
 /// Of a block, row by row: a value for each light.
 struct PointAnswers {
   std::vector<std::uint8_t> classes;
-  std::vector<float> fractions;
+  std::vector<float> fractions;  ///< empty where they are not asked for
 };
 
 class PointAnswerer {
@@ -36,9 +37,11 @@ class PointAnswerer {
   PointAnswerer(const Scene& scene, const AnswerOptions& options);
   ~PointAnswerer();
 
-  /// `first` is the number in the stream of the block's first point: answers depend on it, not on
-  /// where blocks begin and end. `progress` is called with the finished share in [0, 1], from any
-  /// thread, one call at a time.
+  /// `first` is the number in the stream of the block's first point: fractions depend on it, and
+  /// not on where blocks begin and end, on method or threads. Classes are what was proven on the
+  /// way, of neighbouring points together: blocks, method and number of samples may change them,
+  /// threads do not. `progress` is called with the finished share in [0, 1], from any thread, one
+  /// call at a time.
   ShadowCounters answer(const PointBlock& points, std::uint64_t first, PointAnswers& answers,
                         const std::function<void(double)>& progress);
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include "asked_scene.h"
 #include "bake_files.h"
 #include "bake_report.h"
 #include "commands.h"
@@ -20,7 +21,6 @@
 #include "penumbra/trace/prepare.h"
 #include "progress.h"
 #include "resources.h"
-#include "scene_argument.h"
 #include "scene_options.h"
 #include "usage_error.h"
 
@@ -66,10 +66,8 @@ void add_texture_options(CLI::App& app, Options& o) {
       [&o](Text text) { o.output.channel = parse_bake_channel(text); });
   add("--layers", "LIST", "EXR layers beside: any of class,coverage",
       [&o](Text text) { parse_bake_layers(text, o.output); });
-  add("--bits", "8|16", "Of a PNG (default 8)", [&o](Text text) {
-    o.output.png.bits = static_cast<int>(parse_count(text, 8, 16));
-    if (o.output.png.bits != 8 && o.output.png.bits != 16) throw UsageError("expected 8 or 16");
-  });
+  add("--bits", "8|16", "Of a PNG (default 8)",
+      [&o](Text text) { o.output.png.bits = parse_bits(text); });
   app.add_flag("--srgb", o.output.png.is_srgb,
                "Store PNG as sRGB codes, for use as a colour; else as plain values")
       ->group("Texture");
@@ -83,43 +81,26 @@ void add_texture_options(CLI::App& app, Options& o) {
 }
 
 void add_shadow_options(CLI::App& app, Options& o) {
-  using Text = const std::string&;
-  const auto add = [&app](const char* name, const char* value, const char* help, auto parse) {
-    add_parsed(app, name, value, help, parse)->group("Shadows");
-  };
-  add("--method", "M",
-      "shaft (default), stochastic, offset, reduced, umbra (all the same texture), or hard",
-      [&o](Text text) { o.method = parse_method(text); });
-  add("--shadow-samples", "D", "Samples a point and light (default 32)", [&o](Text text) {
-    o.bake.shadow_samples = static_cast<std::uint32_t>(parse_count(text, 1, 65536));
-  });
+  add_method_option(app, o.method, "texture");
+  add_shadow_samples_option(app, o.bake.shadow_samples);
   add_seed_option(app, o.bake.seed);
   add_light_radius_option(app, o.wishes);
-}
-
-void add_run_options(CLI::App& app, Options& o) {
-  add_parsed(app, "--threads", "N", "0 (default) takes all", [&o](const std::string& text) {
-    o.bake.threads = static_cast<std::uint32_t>(parse_count(text, 0, 1024));
-  })->group("Run");
-  app.add_option("--stats", o.stats, "Write counters and times as JSON")
-      ->type_name("FILE")
-      ->group("Run");
-  app.add_flag("--progress", o.always_progress, "Show progress even where stderr is no terminal")
-      ->group("Run");
 }
 
 constexpr const char* about =
     "Bakes how much of each light a mesh's surface sees, 0 to 1, into textures. The mesh needs\n"
     "texture coordinates (UVs) that give each triangle a place of its own: Blender's Lightmap "
     "Pack\n"
-    "or Smart UV Project make them, or xatlas.";
+    "or Smart UV Project make them, or xatlas. Lights are the file's own or those of --light; "
+    "nothing\n"
+    "is added, unless --ground says so.";
 
 constexpr const char* examples =
     "The texture fits the mesh as its file has it: in glTF, whose v grows downwards, and in the\n"
     "others, whose v grows upwards.\n\n"
     "Examples:\n"
-    "  penumbra bake room.glb -o lightmap.exr --light sphere 0 3 0 0.2 --ground none\n"
-    "  penumbra bake statue.obj -o shadow.png --size 2048x2048 --channel mean --bits 16\n"
+    "  penumbra bake room.glb -o lightmap.exr --light sphere 0 3 0 0.2\n"
+    "  penumbra bake statue.obj -o shadow.png --light sun 1 2 1 0.53 --ground auto --bits 16\n"
     "  penumbra bake level.glb -o shadow.png --per-mesh --size 512x512\n"
     "  penumbra bake room.glb -o lightmap.exr --layers class,coverage --shadow-samples 256\n";
 
@@ -148,7 +129,8 @@ const BakeObject& find_object(const Options& o, const std::vector<BakeObject>& o
   constexpr std::size_t most_listed = 20;
   std::string names;
   for (std::size_t i = 0; i < std::min(objects.size(), most_listed); ++i)
-    names += fmt::format("{}{} {}", i > 0 ? ", " : "", i, objects[i].name);
+    names += fmt::format("{}{} {}", i > 0 ? ", " : "", i,
+                         objects[i].name.empty() ? "(no name)" : objects[i].name);
   throw Error({o.scene, {}, {}}, "there is no mesh " + o.mesh + " that can be baked",
               fmt::format("use a name or a number of: {}{}", names,
                           objects.size() > most_listed ? ", ..." : ""));
@@ -187,15 +169,6 @@ void check_files(const Options& o, const std::vector<Texture>& textures, std::si
     }
 }
 
-void take_scene(Options& o) {
-  std::vector<std::string> scenes;
-  if (!o.scene.empty()) scenes.push_back(o.scene);
-  take_back_scenes(o.wishes, scenes);
-  if (scenes.empty()) throw UsageError("MODEL is missing: a file with a mesh and its UVs");
-  if (scenes.size() > 1) throw UsageError(scenes[1] + ": one MODEL at a time");
-  o.scene = scenes.front();
-}
-
 void print_warnings(const std::string& scene, const std::vector<std::string>& lines) {
   for (const std::string& line : lines) fmt::print(stderr, "warning: {}: {}\n", scene, line);
 }
@@ -227,18 +200,20 @@ void bake_all(const Options& o, const Scene& scene, const ShadowScene& shadows, 
 }
 
 int run(Options o, const std::vector<std::string>& arguments) {
-  take_scene(o);
+  o.scene = take_scene(o.wishes, o.scene, "MODEL", "a file with a mesh and its UVs");
   finish(o.wishes);
   check(o);
   BakeReport report;
   report.scene = o.scene, report.arguments = arguments;
+  o.bake.has_classes = o.output.has_classes;
   report.options = o.bake, report.method = o.method;
   const double start = now_seconds();
-  const Scene scene = complete_scene(load_scene(o.scene, o.wishes.read), o.wishes.complete);
+  const Scene scene = load_asked_scene(o.scene, o.wishes);
   const BakeObjects found = bake_objects(scene, o.uv_set);
   const std::vector<Texture> textures = plan(o, found);
   report.set = found.set, report.lights = scene.lights.size();
   check_files(o, textures, report.lights);
+  name_lights(scene);
   print_warnings(o.scene, warnings_of(found));
   const double loaded = now_seconds();
   const Kernel kernel(scene.shapes, kernel_options(scene));
@@ -260,9 +235,9 @@ Command add_bake(CLI::App& program, const std::vector<std::string>& arguments) {
                   "A file with a mesh that has texture coordinates (glTF, OBJ, PLY, ...)");
   add_texture_options(*app, *options);
   add_shadow_options(*app, *options);
-  add_ground_options(*app, options->wishes);
+  add_ground_options(*app, options->wishes, GroundChoice::none);
   add_light_options(*app, options->wishes);
-  add_run_options(*app, *options);
+  add_run_options(*app, options->bake.threads, options->stats, options->always_progress);
   app->footer(std::string(about) + "\n\n" + lights_help + examples);
   return {app, [options, arguments] { return run(*options, arguments); }};
 }

@@ -57,8 +57,9 @@ std::vector<BakeOutput> outputs_of(const BakeOutput& output,
   for (std::size_t i = 0; i < objects.size(); ++i) {
     std::string name = file_name_of(objects[i].name);
     if (name.empty()) name = fmt::format("mesh{}", i);
-    if (!taken.insert(name).second) name += fmt::format("-{}", i);
-    taken.insert(name);
+    const std::string wanted = name;
+    for (std::size_t number = i; !taken.insert(name).second; ++number)
+      name = fmt::format("{}-{}", wanted, number);
     outputs.push_back(output);
     outputs.back().path = with_suffix(output.path, "-" + name);
   }

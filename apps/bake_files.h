@@ -25,7 +25,8 @@ struct BakeOutput {
 /// comes before the extension.
 std::vector<std::string> files_of(const BakeOutput& output, std::size_t lights);
 
-/// The output for each object: its name, as far as file names go, before the extension.
+/// The output for each object: its name, as far as file names go, before the extension, and a
+/// number behind it where another has that name already. No two are the same.
 std::vector<BakeOutput> outputs_of(const BakeOutput& output,
                                    const std::vector<BakeObject>& objects);
 

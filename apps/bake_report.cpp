@@ -43,7 +43,7 @@ std::vector<std::string> warnings_of(const BakeReport& r, bool is_atlas) {
       "the charts into it");
   add(r.faults.flat, "triangles have no area in the texture and are not baked");
   add(r.faults.not_finite,
-      "triangles have coordinates that are no numbers, or beyond a million, and are not baked");
+      "triangles have coordinates that are no numbers, or beyond 1000, and are not baked");
   if (r.counters.overlapping > 0)
     lines.push_back(fmt::format(
         "{} texels lie in two triangles or more, and got a mean of them; {}",

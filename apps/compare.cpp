@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <vector>
 
 #include "commands.h"
 #include "image_difference.h"
@@ -24,21 +25,40 @@ struct CompareOptions {
   bool json = false;
 };
 
-Image read_colors(const std::string& path) {
-  Image image = read_image(path);
+/// The first of the colours that is not there; nothing where all are.
+std::string missing_color(const Image& image) {
   for (const char* name : {"R", "G", "B"})
-    if (!find_channel(image, name))
-      throw Error({path, {}, {}}, fmt::format("has no channel {}", name),
-                  "only pictures with R, G and B can be compared");
-  return image;
+    if (!find_channel(image, name)) return name;
+  return {};
+}
+
+/// The colours; of two files without, such as bakes, what both have.
+std::vector<std::string> channels_to_compare(const CompareOptions& options, const Image& a,
+                                             const Image& b) {
+  const std::string of_a = missing_color(a), of_b = missing_color(b);
+  if (of_a.empty() && of_b.empty()) return {"R", "G", "B"};
+  if (of_a.empty() || of_b.empty())
+    throw Error({of_b.empty() ? options.a : options.b, {}, {}},
+                fmt::format("has no channel {}, and {} has colours", of_a + of_b,
+                            of_b.empty() ? options.b : options.a),
+                "compare pictures with pictures, bakes with bakes");
+  std::vector<std::string> shared;
+  for (const Channel& channel : a.channels)
+    if (find_channel(b, channel.name)) shared.push_back(channel.name);
+  if (shared.empty())
+    throw Error({options.b, {}, {}}, fmt::format("has no channel that {} has", options.a),
+                "compare files that hold the same");
+  return shared;
 }
 
 nlohmann::json to_json(const CompareOptions& options, const Image& a, const Image& b,
+                       const std::vector<std::string>& channels,
                        const std::optional<ImageDifference>& found, bool is_equal) {
   nlohmann::json json = {{"a", options.a},
                          {"b", options.b},
                          {"size", {a.width, a.height}},
                          {"size_b", {b.width, b.height}},
+                         {"channels", channels},
                          {"equal", is_equal}};
   // JSON has no infinity: nlohmann-json writes null for it.
   if (found) {
@@ -55,6 +75,7 @@ nlohmann::json to_json(const CompareOptions& options, const Image& a, const Imag
 }
 
 void print_text(const CompareOptions& options, const Image& a, const Image& b,
+                const std::vector<std::string>& channels,
                 const std::optional<ImageDifference>& found, bool is_equal) {
   if (!found) {
     fmt::print("differ: {}x{} pixels and {}x{} pixels\n", a.width, a.height, b.width, b.height);
@@ -63,6 +84,7 @@ void print_text(const CompareOptions& options, const Image& a, const Image& b,
   const char* how = options.tolerance ? "equal within the tolerance" : "equal bit for bit";
   fmt::print("{}\n", is_equal ? how : "differ");
   fmt::print("size              {}x{}\n", a.width, a.height);
+  fmt::print("channels          {}\n", fmt::join(channels, ", "));
   fmt::print("rmse              {:.6g}\n", found->rmse);
   fmt::print("psnr              {:.2f} dB\n", found->psnr);
   fmt::print("max difference    {:.6g}\n", found->largest);
@@ -70,21 +92,24 @@ void print_text(const CompareOptions& options, const Image& a, const Image& b,
 }
 
 int run(const CompareOptions& options) {
-  const Image a = read_colors(options.a), b = read_colors(options.b);
+  const Image a = read_image(options.a), b = read_image(options.b);
+  const std::vector<std::string> channels = channels_to_compare(options, a, b);
   std::optional<ImageDifference> found;
-  if (a.width == b.width && a.height == b.height) found = difference(a, b, options.tolerance);
+  if (a.width == b.width && a.height == b.height)
+    found = difference(a, b, options.tolerance, channels);
   const bool is_equal = found && found->pixels == 0;
   if (options.json)
-    fmt::print("{}\n", to_json(options, a, b, found, is_equal).dump(2));
+    fmt::print("{}\n", to_json(options, a, b, channels, found, is_equal).dump(2));
   else
-    print_text(options, a, b, found, is_equal);
+    print_text(options, a, b, channels, found, is_equal);
   return is_equal ? 0 : 1;
 }
 
 }  // namespace
 
 Command add_compare(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("compare", "Compare the colours of two pictures");
+  CLI::App* app =
+      program.add_subcommand("compare", "Compare the colours of two pictures, or two bakes");
   const auto options = std::make_shared<CompareOptions>();
   app->add_option("A", options->a, "A picture, .png or .exr")->required();
   app->add_option("B", options->b, "The other one")->required();
@@ -95,10 +120,14 @@ Command add_compare(CLI::App& program) {
                options->tolerance = parse_number(text, 0, std::numeric_limits<float>::max());
              });
   app->footer(
+      "What counts are the colours, R, G and B, whatever other channels there are. Of two .exr "
+      "files\n"
+      "without colours, such as those of `penumbra bake`, the channels that both have, by name.\n"
       "Exit code: 0 equal, 1 different, 2 one of them cannot be read.\n"
       "PNG colours are compared as stored, codes / 255.\n\n"
-      "Example:\n"
-      "  penumbra compare before.exr after.exr --tolerance 1e-6\n");
+      "Examples:\n"
+      "  penumbra compare before.exr after.exr --tolerance 1e-6\n"
+      "  penumbra compare lightmap.exr other_lightmap.exr\n");
   return {app, [options] { return run(*options); }, 2};
 }
 

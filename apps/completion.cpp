@@ -18,6 +18,9 @@ _penumbra() {
   local line=${COMP_LINE:0:COMP_POINT} words current kept candidate
   read -ra words <<< "$line"
   [[ $line == *[[:space:]] ]] && words+=("")
+  if [[ ${words[0]} =~ ^~[[:alnum:]_.-]*/ ]]; then # somebody's home
+    eval "words[0]=${words[0]%%/*}/\${words[0]#*/}"
+  fi
   current=${words[-1]}
   kept=${current%"${current##*[:=]}"} # bash replaces only what follows these
   COMPREPLY=()
@@ -95,11 +98,11 @@ Command add_completion(CLI::App& program) {
     *shell = parse_shell(text);
   })->required();
   app->footer(
-      "An installed penumbra has them where shells look. Without one, for this shell:\n\n"
+      "An installed penumbra has them where shells look. For this shell alone:\n\n"
       "Examples:\n"
-      "  source <(build/penumbra completion bash)\n"
-      "  source <(build/penumbra completion zsh)      # after compinit\n"
-      "  build/penumbra completion fish | source\n");
+      "  source <(penumbra completion bash)\n"
+      "  source <(penumbra completion zsh)      # after compinit\n"
+      "  penumbra completion fish | source\n");
   return {app, [shell] {
             fmt::print("{}", script(*shell));
             return 0;

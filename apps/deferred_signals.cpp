@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "deferred_signals.h"
 
-#include <array>
 #include <csignal>
 
 namespace penumbra {
 namespace {
 
-constexpr std::array<int, 3> kept_signals = {SIGINT, SIGTERM, SIGHUP};
-
-// A handler can reach nothing but globals.
-volatile std::sig_atomic_t received = 0;
-std::array<void (*)(int), kept_signals.size()> earlier_handlers{};
+volatile std::sig_atomic_t received = 0;  // a handler can reach nothing but globals
 
 void keep(int signal) { received = signal; }
 
@@ -19,16 +14,11 @@ void keep(int signal) { received = signal; }
 
 DeferredSignals::DeferredSignals() {
   received = 0;
-  for (std::size_t i = 0; i < kept_signals.size(); ++i) {
-    earlier_handlers[i] = std::signal(kept_signals[i], keep);
-    // What the caller had ignored (nohup) stays ignored.
-    if (earlier_handlers[i] == SIG_IGN) std::signal(kept_signals[i], SIG_IGN);
-  }
+  handler_.emplace(keep);
 }
 
 DeferredSignals::~DeferredSignals() {
-  for (std::size_t i = 0; i < kept_signals.size(); ++i)
-    std::signal(kept_signals[i], earlier_handlers[i]);
+  handler_.reset();
   if (received != 0) std::raise(received);
 }
 

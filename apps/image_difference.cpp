@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "image_difference.h"
 
-#include <array>
 #include <bit>
 #include <cmath>
 
@@ -23,19 +22,19 @@ double distance(float a, float b) {
 
 }  // namespace
 
-ImageDifference difference(const Image& a, const Image& b, std::optional<double> tolerance) {
-  const std::array names = {"R", "G", "B"};
-  std::array<const Channel*, 3> of_a{}, of_b{};
-  for (std::size_t c = 0; c < names.size(); ++c) {
-    of_a[c] = find_channel(a, names[c]);
-    of_b[c] = find_channel(b, names[c]);
+ImageDifference difference(const Image& a, const Image& b, std::optional<double> tolerance,
+                           const std::vector<std::string>& channels) {
+  std::vector<const Channel*> of_a, of_b;
+  for (const std::string& name : channels) {
+    of_a.push_back(find_channel(a, name));
+    of_b.push_back(find_channel(b, name));
   }
   ImageDifference result;
   double squares = 0;
   const std::size_t count = std::size_t{a.width} * a.height;
   for (std::size_t i = 0; i < count; ++i) {
     bool differs = false;
-    for (std::size_t c = 0; c < names.size(); ++c) {
+    for (std::size_t c = 0; c < channels.size(); ++c) {
       const float x = of_a[c]->values[i], y = of_b[c]->values[i];
       const double gap = distance(x, y);
       squares += gap * gap;
@@ -44,7 +43,7 @@ ImageDifference difference(const Image& a, const Image& b, std::optional<double>
     }
     result.pixels += differs;
   }
-  const double mean = squares / (3.0 * static_cast<double>(count));
+  const double mean = squares / (static_cast<double>(channels.size()) * static_cast<double>(count));
   result.rmse = std::sqrt(mean);
   if (mean > 0) result.psnr = -10 * std::log10(mean);
   return result;

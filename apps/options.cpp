@@ -164,6 +164,12 @@ Shell parse_shell(std::string_view text) {
 
 Method parse_method(std::string_view text) { return choose<Method>(text, methods); }
 
+Method parse_asking_method(std::string_view text) {
+  static constexpr std::array of_points = {Choice<Method>{"shaft", Method::shaft},
+                                           Choice<Method>{"stochastic", Method::stochastic}};
+  return choose<Method>(text, of_points);
+}
+
 std::vector<Method> all_methods() {
   std::vector<Method> all;
   for (const Choice<Method>& choice : methods) all.push_back(choice.value);
@@ -206,6 +212,11 @@ BakeValue parse_bake_value(std::string_view text) {
   static constexpr std::array weights = {Choice<BakeValue>{"none", BakeValue::fraction},
                                          Choice<BakeValue>{"cosine", BakeValue::cosine_weighted}};
   return choose<BakeValue>(text, weights);
+}
+
+int parse_bits(std::string_view text) {
+  static constexpr std::array bits = {Choice<int>{"8", 8}, Choice<int>{"16", 16}};
+  return choose<int>(text, bits);
 }
 
 BakeChannel parse_bake_channel(std::string_view text) {
@@ -278,10 +289,12 @@ AnswerFormat parse_answer_format(std::string_view text) {
 
 void check_files_differ(const std::string& a, const std::string& b) {
   if (a.empty() || b.empty() || a == "-" || b == "-") return;
-  std::error_code ignored;
-  const auto same = std::filesystem::weakly_canonical(a, ignored) ==
-                    std::filesystem::weakly_canonical(b, ignored);
-  if (same || std::filesystem::equivalent(a, b, ignored))
+  // Names of pipes (/dev/fd/63) lead nowhere, and so tell nothing.
+  std::error_code error_a, error_b, ignored;
+  const auto path_a = std::filesystem::weakly_canonical(a, error_a),
+             path_b = std::filesystem::weakly_canonical(b, error_b);
+  const bool is_same = !error_a && !error_b && !path_a.empty() && path_a == path_b;
+  if (is_same || std::filesystem::equivalent(a, b, ignored))
     throw UsageError(
         fmt::format("{} and {} are the same file; give the output another name", a, b));
 }

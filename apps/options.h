@@ -60,6 +60,8 @@ Shell parse_shell(std::string_view text);
 std::vector<std::string> parse_list(std::string_view text);
 
 Method parse_method(std::string_view text);
+/// `shaft` or `stochastic`: what can be asked of single points.
+Method parse_asking_method(std::string_view text);
 /// In the order in which help and tables name them.
 std::vector<Method> all_methods();
 std::string_view name_of(Method method);
@@ -74,6 +76,8 @@ std::vector<Aov> parse_aovs(std::string_view text);
 UvChoice parse_uv_set(std::string_view text);
 /// `none` or `cosine`.
 BakeValue parse_bake_value(std::string_view text);
+/// `8` or `16`.
+int parse_bits(std::string_view text);
 /// `per-light` or `mean`.
 BakeChannel parse_bake_channel(std::string_view text);
 /// `class` and `coverage`, any of them: sets what is named.

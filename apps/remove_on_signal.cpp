@@ -10,11 +10,7 @@
 namespace penumbra {
 namespace {
 
-constexpr std::array<int, 3> caught_signals = {SIGINT, SIGTERM, SIGHUP};
-
-// A handler can reach nothing but globals.
-std::array<char, 4096> file_name{};
-std::array<void (*)(int), caught_signals.size()> earlier_handlers{};
+std::array<char, 4096> file_name{};  // a handler can reach nothing but globals
 
 void remove_and_end(int signal) {
   if (file_name[0] != '\0') unlink(file_name.data());
@@ -27,16 +23,11 @@ void remove_and_end(int signal) {
 RemoveOnSignal::RemoveOnSignal(const std::filesystem::path& path) {
   const std::string name = path.string();
   if (name.size() < file_name.size()) name.copy(file_name.data(), name.size());
-  for (std::size_t i = 0; i < caught_signals.size(); ++i) {
-    earlier_handlers[i] = std::signal(caught_signals[i], remove_and_end);
-    // What the caller had ignored (nohup) stays ignored.
-    if (earlier_handlers[i] == SIG_IGN) std::signal(caught_signals[i], SIG_IGN);
-  }
+  handler_.emplace(remove_and_end);
 }
 
 RemoveOnSignal::~RemoveOnSignal() {
-  for (std::size_t i = 0; i < caught_signals.size(); ++i)
-    std::signal(caught_signals[i], earlier_handlers[i]);
+  handler_.reset();
   file_name.fill('\0');
 }
 

@@ -3,6 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+
+#include "signal_handler.h"
 
 namespace penumbra {
 
@@ -14,6 +17,9 @@ class RemoveOnSignal {
   ~RemoveOnSignal();
   RemoveOnSignal(const RemoveOnSignal&) = delete;
   RemoveOnSignal& operator=(const RemoveOnSignal&) = delete;
+
+ private:
+  std::optional<SignalHandler> handler_;
 };
 
 }  // namespace penumbra

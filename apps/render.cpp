@@ -54,38 +54,25 @@ void add_picture_options(CLI::App& app, Options& o) {
 }
 
 void add_shadow_options(CLI::App& app, Options& o) {
-  using Text = const std::string&;
-  const auto add = [&app](const char* name, const char* value, const char* help, auto parse) {
-    add_parsed(app, name, value, help, parse)->group("Shadows");
-  };
-  add("--method", "M",
-      "shaft (default), stochastic, offset, reduced, umbra (all the same picture), or hard",
-      [&o](Text text) { o.method = parse_method(text); });
-  add("--shadow-samples", "D", "Samples a point and light (default 32)", [&o](Text text) {
-    o.render.shadow_samples = static_cast<std::uint32_t>(parse_count(text, 1, 65536));
-  });
-  add("--verify", "N", "Compare N of the picture's answers with stochastic; fail if one differs",
-      [&o](Text text) { o.verify = parse_count(text, 1, 1u << 30); });
+  add_method_option(app, o.method, "picture");
+  add_shadow_samples_option(app, o.render.shadow_samples);
+  add_parsed(app, "--verify", "N",
+             "Compare N of the picture's answers with stochastic; fail if one differs",
+             [&o](const std::string& text) { o.verify = parse_count(text, 1, 1u << 30); })
+      ->group("Shadows");
   add_light_radius_option(app, o.wishes);
 }
 
-void add_run_options(CLI::App& app, Options& o) {
+void add_picture_run_options(CLI::App& app, Options& o) {
+  add_run_options(app, o.render.threads, o.stats, o.always_progress);
   using Text = const std::string&;
   const auto add = [&app](const char* name, const char* value, const char* help, auto parse) {
     add_parsed(app, name, value, help, parse)->group("Run");
   };
-  add("--threads", "N", "0 (default) takes all", [&o](Text text) {
-    o.render.threads = static_cast<std::uint32_t>(parse_count(text, 0, 1024));
-  });
   add("--tile", "N", "Edge of the tiles threads take, in pixels (default 16)",
       [&o](Text text) { o.render.tile = static_cast<std::uint32_t>(parse_count(text, 1, 65536)); });
-  app.add_option("--stats", o.stats, "Write counters, times and memory as JSON")
-      ->type_name("FILE")
-      ->group("Run");
   add("--pixel", "x,y", "Print all about one pixel; writes nothing",
       [&o](Text text) { o.pixel = parse_pixel(text); });
-  app.add_flag("--progress", o.always_progress, "Show progress even where stderr is no terminal")
-      ->group("Run");
 }
 
 constexpr const char* examples =
@@ -149,17 +136,8 @@ std::size_t verify(const Options& o, const Scene& scene, const Kernel& kernel,
   return answers.size();
 }
 
-void take_scene(Options& o) {
-  std::vector<std::string> scenes;
-  if (!o.scene.empty()) scenes.push_back(o.scene);
-  take_back_scenes(o.wishes, scenes);
-  if (scenes.empty()) throw UsageError("SCENE is missing: a file, or the name of a built-in scene");
-  if (scenes.size() > 1) throw UsageError(scenes[1] + ": one SCENE at a time");
-  o.scene = scenes.front();
-}
-
 int run(Options o, const std::vector<std::string>& arguments) {
-  take_scene(o);
+  o.scene = take_scene(o.wishes, o.scene, "SCENE", "a file, or the name of a built-in scene");
   finish(o.wishes);
   check(o);
   if (!o.pixel) {
@@ -207,7 +185,7 @@ Command add_render(CLI::App& program, const std::vector<std::string>& arguments)
   add_picture_options(*app, *options);
   add_shadow_options(*app, *options);
   add_scene_options(*app, options->wishes);
-  add_run_options(*app, *options);
+  add_picture_run_options(*app, *options);
   app->footer(std::string(lights_help) + examples);
   return {app, [options, arguments] { return run(*options, arguments); }};
 }

@@ -45,18 +45,23 @@ void add_scene_options(CLI::App& command, SceneWishes& w) {
       [&w](Text text) { w.complete.ambient = parse_color(text); });
   add("--background", "r,g,b", "Colour where nothing is hit",
       [&w](Text text) { w.complete.background = parse_color(text); });
-  add_ground_options(command, w);
+  add_ground_options(command, w, GroundChoice::automatic);
   add_light_options(command, w);
+  add_read_options(command, w.read);
 }
 
-void add_ground_options(CLI::App& command, SceneWishes& w) {
+void add_ground_options(CLI::App& command, SceneWishes& w, GroundChoice by_default) {
+  w.complete.ground = by_default;
+  const char* const help = by_default == GroundChoice::none
+                               ? "A floor that blocks light (default none)"
+                               : "A floor (default auto: under bare models)";
   using Text = const std::string&;
   add_parsed(command, "--up", "x,y,z", "Which way is up", [&w](Text text) {
     w.complete.up = parse_vector(text);
   })->group("Scene");
-  add_parsed(command, "--ground", "auto|none|HEIGHT", "A floor (default auto: under bare models)",
-             [&w](Text text) { w.complete.ground = parse_ground(text); })
-      ->group("Scene");
+  add_parsed(command, "--ground", "auto|none|HEIGHT", help, [&w](Text text) {
+    w.complete.ground = parse_ground(text);
+  })->group("Scene");
 }
 
 void add_light_options(CLI::App& command, SceneWishes& w) {
@@ -67,7 +72,6 @@ void add_light_options(CLI::App& command, SceneWishes& w) {
       ->group("Scene");
   command.add_flag("--clear-glass", w.complete.clear_glass, "Transparent things cast no shadow")
       ->group("Shadows");
-  add_read_options(command, w.read);
 }
 
 void add_light_radius_option(CLI::App& command, SceneWishes& w) {
@@ -99,6 +103,37 @@ void add_seed_option(CLI::App& command, std::uint64_t& seed) {
       ->group("Shadows");
 }
 
+void add_method_option(CLI::App& command, Method& method, const std::string& product) {
+  add_parsed(
+      command, "--method", "M",
+      fmt::format("shaft (default), stochastic, offset, reduced, umbra (all the same {}), or hard",
+                  product),
+      [&method](const std::string& text) { method = parse_method(text); })
+      ->group("Shadows");
+}
+
+void add_shadow_samples_option(CLI::App& command, std::uint32_t& shadow_samples) {
+  add_parsed(command, "--shadow-samples", "D", "Samples a point and light (default 32)",
+             [&shadow_samples](const std::string& text) {
+               shadow_samples = static_cast<std::uint32_t>(parse_count(text, 1, 65536));
+             })
+      ->group("Shadows");
+}
+
+void add_run_options(CLI::App& command, std::uint32_t& threads, std::string& stats,
+                     bool& always_progress) {
+  add_parsed(command, "--threads", "N", "0 (default) takes all",
+             [&threads](const std::string& text) {
+               threads = static_cast<std::uint32_t>(parse_count(text, 0, 1024));
+             })
+      ->group("Run");
+  command.add_option("--stats", stats, "Write counters, times and memory as JSON")
+      ->type_name("FILE")
+      ->group("Run");
+  command.add_flag("--progress", always_progress, "Show progress even where stderr is no terminal")
+      ->group("Run");
+}
+
 void take_back_scenes(SceneWishes& wishes, std::vector<std::string>& scenes) {
   std::vector<std::string>& words = wishes.light_words;
   if (!scenes.empty()) return;
@@ -110,6 +145,16 @@ void take_back_scenes(SceneWishes& wishes, std::vector<std::string>& scenes) {
     scenes.insert(scenes.begin(), words.back());
     words.pop_back();
   }
+}
+
+std::string take_scene(SceneWishes& wishes, const std::string& given, const std::string& name,
+                       const std::string& what) {
+  std::vector<std::string> scenes;
+  if (!given.empty()) scenes.push_back(given);
+  take_back_scenes(wishes, scenes);
+  if (scenes.empty()) throw UsageError(name + " is missing: " + what);
+  if (scenes.size() > 1) throw UsageError(scenes[1] + ": one " + name + " at a time");
+  return scenes.front();
 }
 
 namespace {

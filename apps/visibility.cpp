@@ -3,6 +3,7 @@
 
 #include <CLI/App.hpp>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -11,11 +12,10 @@
 #include <optional>
 
 #include "answer_points.h"
+#include "asked_scene.h"
 #include "commands.h"
 #include "options.h"
-#include "penumbra/scene/error.h"
 #include "penumbra/scene_io/image_io.h"
-#include "penumbra/scene_io/light_spec.h"
 #include "penumbra/scene_io/read_points.h"
 #include "penumbra/scene_io/write_answers.h"
 #include "penumbra/scene_io/write_scene.h"
@@ -88,52 +88,38 @@ void add_file_options(CLI::App& app, Options& o) {
   add_parsed(app, "--output-format", "F",
              "csv, ascii, npy, ply, float or double (default: by the name)",
              [&o](Text text) { o.output_format = parse_answer_format(text); });
-  app.add_flag("--classes", o.has_classes, "Write classes");
+  app.add_flag("--classes", o.has_classes,
+               "Write classes; alone: more is proven, and no sample taken");
   app.add_flag("--fractions", o.has_fractions,
                "Write visible fractions (default: in CSV and PLY both, elsewhere fractions)");
 }
 
 void add_question_options(CLI::App& app, Options& o) {
   using Text = const std::string&;
-  const auto add = [&app](const char* name, const char* value, const char* help, auto parse) {
-    return add_parsed(app, name, value, help, parse);
-  };
-  add("--ground", "none|auto|HEIGHT", "A floor that blocks light (default none)", [&o](Text text) {
-    o.wishes.complete.ground = parse_ground(text);
-  })->group("Scene");
-  add("--up", "x,y,z", "Which way is up, for --ground", [&o](Text text) {
-    o.wishes.complete.up = parse_vector(text);
-  })->group("Scene");
-  add("--method", "M", "shaft (default) or stochastic: the same fractions", [&o](Text text) {
-    o.answer.method = parse_method(text);
-  })->group("Shadows");
-  add("--shadow-samples", "D", "Samples a point and light (default 32)", [&o](Text text) {
-    o.answer.shadow_samples = static_cast<std::uint32_t>(parse_count(text, 1, 65536));
-  })->group("Shadows");
+  add_ground_options(app, o.wishes, GroundChoice::none);
+  add_parsed(app, "--method", "M",
+             "shaft (default) or stochastic: the same fractions; the others need a whole picture",
+             [&o](Text text) { o.answer.method = parse_asking_method(text); })
+      ->group("Shadows");
+  add_shadow_samples_option(app, o.answer.shadow_samples);
   add_light_radius_option(app, o.wishes);
   add_seed_option(app, o.answer.seed);
-  add("--offset", "auto|DISTANCE",
-      "How far points are moved along their normals, off their own surface (default auto)",
-      [&o](Text text) {
-        o.answer.offset.reset();
-        if (text != "auto") o.answer.offset = static_cast<float>(parse_number(text, 0, 1e15));
-      })
+  add_parsed(app, "--offset", "auto|DISTANCE",
+             "How far points are moved along their normals, off their own surface (default auto)",
+             [&o](Text text) {
+               o.answer.offset.reset();
+               if (text != "auto")
+                 o.answer.offset = static_cast<float>(parse_number(text, 0, 1e15));
+             })
       ->group("Shadows");
 }
 
-void add_run_options(CLI::App& app, Options& o) {
+void add_stream_options(CLI::App& app, Options& o) {
   using Text = const std::string&;
-  add_parsed(app, "--threads", "N", "0 (default) takes all", [&o](Text text) {
-    o.answer.threads = static_cast<std::uint32_t>(parse_count(text, 0, 1024));
-  })->group("Run");
+  add_run_options(app, o.answer.threads, o.stats, o.always_progress);
   add_parsed(app, "--block", "N",
              "Points that are answered together (default 262144); 1: each as it comes",
              [&o](Text text) { o.block = parse_count(text, 1, std::uint64_t{1} << 24); })
-      ->group("Run");
-  app.add_option("--stats", o.stats, "Write counters, times and memory as JSON")
-      ->type_name("FILE")
-      ->group("Run");
-  app.add_flag("--progress", o.always_progress, "Show progress even where stderr is no terminal")
       ->group("Run");
 }
 
@@ -162,44 +148,10 @@ void check(const Options& o) {
   const bool is_raw = format == AnswerFormat::float32 || format == AnswerFormat::float64;
   if (is_raw && o.has_classes && o.has_fractions)
     throw UsageError("float and double hold one kind of number: take --classes or --fractions");
-  if (o.answer.method != Method::shaft && o.answer.method != Method::stochastic)
-    throw UsageError(
-        "--method: expected shaft or stochastic; the others need the points of a whole picture");
   check_files_differ(o.scene, o.output);
   check_files_differ(o.points, o.output);
   for (const std::string& other : {o.scene, o.points, o.output}) check_files_differ(other, o.stats);
   if (!o.stats.empty()) check_output_path(o.stats);
-}
-
-void take_scene(Options& o) {
-  std::vector<std::string> scenes;
-  if (!o.scene.empty()) scenes.push_back(o.scene);
-  take_back_scenes(o.wishes, scenes);
-  if (scenes.empty()) throw UsageError("SCENE is missing: a file, or the name of a built-in scene");
-  if (scenes.size() > 1) throw UsageError(scenes[1] + ": one SCENE at a time");
-  o.scene = scenes.front();
-}
-
-/// The file's scene with the wished lights; unlike for pictures, nothing else is added.
-Scene scene_of(const Options& o) {
-  Scene scene = load_scene(o.scene, o.wishes.read);
-  if (scene.lights.empty() && o.wishes.complete.lights.empty())
-    throw Error({o.scene, {}, {}}, "has no lights",
-                "give them, as in --light sun 0 0 1 0.53 or --light sphere 2 4 3 0.5");
-  scene.camera.reset();  // whatever is wrong with it is no matter
-  return complete_scene(std::move(scene), o.wishes.complete);
-}
-
-void name_lights(const Scene& scene) {
-  constexpr std::size_t most = 16, longest = 100;
-  for (std::size_t i = 0; i < scene.lights.size() && i < most; ++i) {
-    Light light = scene.lights[i];
-    light.beam.reset();
-    const std::string words = light_words(light);
-    fmt::print(stderr, "light{}: {}{}\n", i, words.substr(0, longest),
-               words.size() > longest ? "..." : "");
-  }
-  if (scene.lights.size() > most) fmt::print(stderr, "... {} lights\n", scene.lights.size());
 }
 
 /// Runs and adds the seconds it took.
@@ -272,15 +224,17 @@ void print_summary(const Options& o, const Account& a, std::size_t lights) {
 }
 
 int run(Options o) {
-  take_scene(o);
+  o.scene = take_scene(o.wishes, o.scene, "SCENE", "a file, or the name of a built-in scene");
   finish(o.wishes);
   check(o);
   std::signal(SIGPIPE, SIG_IGN);  // whoever reads our output may leave: an error like others
   Account account;
-  const Scene scene = timed(account.load, [&] { return scene_of(o); });
+  const Scene scene = timed(account.load, [&] { return load_asked_scene(o.scene, o.wishes); });
   name_lights(scene);
   PointReader points(o.points, o.input_format);
-  AnswerWriter writer(o.output, layout_of(o, scene, points.has_normals()));
+  const AnswerLayout layout = layout_of(o, scene, points.has_normals());
+  o.answer.has_fractions = layout.has_fractions;
+  AnswerWriter writer(o.output, layout);
   const RemoveOnSignal until_written(writer.file().temporary());
   const auto answerer =
       timed(account.build, [&] { return std::make_unique<PointAnswerer>(scene, o.answer); });
@@ -297,12 +251,12 @@ int run(Options o) {
 Command add_visibility(CLI::App& program) {
   CLI::App* app = program.add_subcommand("visibility", "Say what points see of a scene's lights");
   const auto options = std::make_shared<Options>();
-  options->wishes.complete.ground = GroundChoice::none;
   app->add_option("SCENE", options->scene, scene_argument_help);
   add_file_options(*app, *options);
   add_question_options(*app, *options);
   add_light_options(*app, options->wishes);
-  add_run_options(*app, *options);
+  add_read_options(*app, options->wishes.read);
+  add_stream_options(*app, *options);
   app->footer(std::string(lights_help) + examples);
   return {app, [options] { return run(*options); }};
 }

@@ -36,7 +36,13 @@ if(PROJECT_IS_TOP_LEVEL)
   set(shells ${CMAKE_INSTALL_DATADIR})
   install(FILES ${made}/completion/bash DESTINATION ${shells}/bash-completion/completions
     RENAME penumbra COMPONENT runtime)
-  install(FILES ${made}/completion/zsh DESTINATION ${shells}/zsh/vendor-completions
+  # Packages have a place of their own, which zsh looks into below /usr alone.
+  install(CODE "
+    set(penumbra_zsh_dir site-functions)
+    if(CMAKE_INSTALL_PREFIX MATCHES \"/usr$\")  # also where cpack gathers a package
+      set(penumbra_zsh_dir vendor-completions)
+    endif()" COMPONENT runtime)
+  install(FILES ${made}/completion/zsh DESTINATION "${shells}/zsh/\${penumbra_zsh_dir}"
     RENAME _penumbra COMPONENT runtime)
   install(FILES ${made}/completion/fish DESTINATION ${shells}/fish/vendor_completions.d
     RENAME penumbra.fish COMPONENT runtime)

@@ -90,7 +90,7 @@ def main():
     quads = model()
     write_glb(folder / "model.glb", quads)
     subprocess.run([program, "bake", folder / "model.glb", "-o", folder / "shadow.png", "--channel", "mean", "--srgb",
-                    "--weight", "cosine", "--size", f"{TEXELS}x{TEXELS}", "--ground", "none", *LIGHTS], check=True)
+                    "--weight", "cosine", "--size", f"{TEXELS}x{TEXELS}", *LIGHTS], check=True)
     write_glb(folder / "baked.glb", quads, (folder / "shadow.png").read_bytes())
     # A look at it, by no more light than shows textures as they are.
     subprocess.run([program, "render", folder / "baked.glb", "-o", folder / "baked.png", "--ground", "none",

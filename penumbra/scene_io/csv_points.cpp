@@ -136,39 +136,68 @@ bool CsvRows::take_names() {
   return true;
 }
 
-/// NumPy's savetxt puts names into a comment. Comments are free: most are none.
-void CsvRows::take_names_of_comment(std::string_view comment) {
-  constexpr std::size_t longest_names = 1000;
-  if (comment.size() > longest_names || comment.find('"') != comment.npos) return;
+/// NumPy's savetxt puts names into a comment. But comments are free: this is a guess, which the
+/// first point has to confirm, and none of them is an error.
+void CsvRows::guess_names(std::string_view comment) {
+  if (comment.size() >= most_columns || comment.find('"') != comment.npos) return;
   line_ = comment;
   choose_separator(true);
   split();
-  const auto is_coordinate = [](std::string_view name) { return point_number_named(name) < 3; };
-  if (std::count_if(fields_.begin(), fields_.end(), is_coordinate) == 3) take_names();
+  std::array<int, point_numbers + 1> times{};
+  for (const std::string_view field : fields_) ++times[point_number_named(field)];
+  const auto are_all = [&](std::size_t first, int count) {
+    return times[first] == count && times[first + 1] == count && times[first + 2] == count;
+  };
+  if (are_all(0, 1) && (are_all(3, 0) || are_all(3, 1))) take_names();
+}
+
+/// Splits the line as the guess has it, or forgets that.
+bool CsvRows::confirm_guess() {
+  if (column_number_.empty()) return false;
+  const auto fits = [this] {
+    split();
+    if (fields_.size() != column_number_.size()) return false;
+    for (std::size_t i = 0; i < fields_.size(); ++i)
+      if (column_number_[i] < 3 && parse_float(fields_[i])) return true;
+    return false;
+  };
+  if (fits()) return true;
+  choose_separator(false);
+  if (fits()) return true;
+  column_number_.clear();
+  has_normals_ = false;
+  return false;
+}
+
+/// 3 or 6 columns without names.
+void CsvRows::number_columns() {
+  if (fields_.size() != 3 && fields_.size() != point_numbers)
+    throw Error(place(), "has " + std::to_string(fields_.size()) + " columns without names",
+                "give 3 (x y z) or 6 (x y z nx ny nz), or a first line with their names");
+  for (std::size_t i = 0; i < fields_.size(); ++i) column_number_.push_back(i);
+  has_normals_ = fields_.size() == point_numbers;
+  columns_line_ = line_number_;
 }
 
 void CsvRows::read_first_line() {
+  bool has_names = false;  // in a line of their own
   while (next_line()) {
     const std::string_view text = trimmed(line_);
     if (text.empty()) continue;
     if (text.front() == '#') {
-      if (column_number_.empty()) take_names_of_comment(text.substr(1));
+      if (!has_names) guess_names(text.substr(1));
       continue;
     }
-    if (column_number_.empty()) {
+    if (has_names) {
+      split();
+    } else if (!confirm_guess()) {
       choose_separator(true);
       split();
-      if (!fields_.empty() && !parse_float(fields_.front()) && take_names()) continue;
+      has_names = !fields_.empty() && !parse_float(fields_.front()) && take_names();
+      if (has_names) continue;
       choose_separator(false);
-    }
-    split();
-    if (column_number_.empty()) {
-      if (fields_.size() != 3 && fields_.size() != point_numbers)
-        throw Error(place(), "has " + std::to_string(fields_.size()) + " columns without names",
-                    "give 3 (x y z) or 6 (x y z nx ny nz), or a first line with their names");
-      for (std::size_t i = 0; i < fields_.size(); ++i) column_number_.push_back(i);
-      has_normals_ = fields_.size() == point_numbers;
-      columns_line_ = line_number_;
+      split();
+      number_columns();
     }
     first_ = row();
     return;

@@ -51,6 +51,10 @@ void check_image_path(const std::filesystem::path& path) {
 void check_output_path(const std::filesystem::path& path) {
   if (path.filename().empty() || std::filesystem::is_directory(path))
     throw Error({path.string(), {}, {}}, "is a folder", "give the name of a file");
+  // Pipes and devices are written to where they are.
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return;
   // Permission bits say little (root, read-only and full disks), so try it.
   std::filesystem::path probe = path;
   probe += fmt::format(".{}.probe", ::getpid());

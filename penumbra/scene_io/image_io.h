@@ -29,6 +29,7 @@ void write_grey_image(const std::filesystem::path& path, const Image& image,
 void check_image_path(const std::filesystem::path& path);
 
 /// Throws Error unless a file can be made there: finds out by making one beside it, and removes it.
+/// What is there and no file (a pipe) is left alone.
 void check_output_path(const std::filesystem::path& path);
 
 /// Reads PNG (R, G, B as stored codes / 255, not linearised) or EXR (all channels). Throws Error;

@@ -13,11 +13,34 @@ constexpr std::size_t longest_header = std::size_t{1} << 20, longest_word = 1000
 
 bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
+bool ends_line(char c) { return c == '\n' || c == '\r'; }
+
+/// All up to the end of the line `end_header`, and no more than has come by then: who writes may
+/// wait for answers.
+std::string header_bytes(ByteInput& input) {
+  constexpr std::string_view last = "end_header";
+  std::string_view bytes = input.peek();
+  for (std::size_t from = 0; bytes.size() < longest_header;) {
+    const std::size_t found = bytes.find(last, from);
+    if (found != bytes.npos && found > 0 && !ends_line(bytes[found - 1])) {
+      from = found + 1;  // in a comment
+      continue;
+    }
+    const std::size_t end = found == bytes.npos ? found : bytes.find_first_of("\r\n", found);
+    // What follows a \r tells whether it is a line's end by itself.
+    if (end != bytes.npos && (bytes[end] == '\n' || end + 1 < bytes.size())) break;
+    const std::size_t size = bytes.size();
+    from = found != bytes.npos ? found : size - std::min(size, last.size());
+    bytes = input.peek(size + 1);
+    if (bytes.size() == size) break;
+  }
+  return std::string(bytes.substr(0, longest_header));
+}
+
 }  // namespace
 
 PlyRows::PlyRows(ByteInput& input) : input_(&input) {
-  const std::string start(input.peek(longest_header).substr(0, longest_header));
-  header_ = read_ply_header({input.name(), "ply", start});
+  header_ = read_ply_header({input.name(), "ply", header_bytes(input)});
   input.skip(header_.size);
   line_ = header_.lines + 1;
   const auto vertices = std::find_if(header_.elements.begin(), header_.elements.end(),

@@ -46,7 +46,9 @@ class CsvRows {
   bool next_line();
   void read_first_line();
   bool take_names();
-  void take_names_of_comment(std::string_view comment);
+  void guess_names(std::string_view comment);
+  bool confirm_guess();
+  void number_columns();
   void choose_separator(bool may_be_tab);
   void split();
   PointRow row() const;

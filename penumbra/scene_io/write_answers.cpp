@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -23,6 +24,11 @@ void append(std::string& out, const Value* values, std::size_t count) {
   const std::size_t used = out.size();
   out.resize(used + count * sizeof(Value));
   std::memcpy(out.data() + used, values, count * sizeof(Value));
+}
+
+/// 0 lit, 1 penumbra, 2 umbra.
+float share_of_class(std::uint8_t light_class) {
+  return 1 - 0.5f * static_cast<float>(std::min<std::uint8_t>(light_class, 2));
 }
 
 /// The shortest text that reads back to the same float.
@@ -141,7 +147,8 @@ void AnswerWriter::append_ply(const PointBlock& points, const AnswerBlock& answe
     append(bytes_, &points.positions[i], 1);
     if (layout_.has_normals) append(bytes_, &points.normals[i], 1);
     float sum = 0;
-    for (std::size_t k = i * lights; k < (i + 1) * lights; ++k) sum += answers.fractions[k];
+    for (std::size_t k = i * lights; k < (i + 1) * lights; ++k)
+      sum += layout_.has_fractions ? answers.fractions[k] : share_of_class(answers.classes[k]);
     const std::uint8_t grey = srgb_from_linear(sum / static_cast<float>(lights));
     bytes_.append(3, static_cast<char>(grey));
     for (std::size_t k = i * lights; k < (i + 1) * lights; ++k) {

@@ -16,7 +16,8 @@ namespace penumbra {
 
 /// csv: with the points and a line of names. ascii: values alone between tabs. npy: rows of
 /// float32 (fractions), of uint8 (classes), or of a structure that holds both. ply: the points,
-/// with values as properties and grey as they are lit. float32, float64: values alone.
+/// with values as properties and grey as they are lit (of classes alone, penumbra is half).
+/// float32, float64: values alone.
 enum class AnswerFormat { csv, ascii, npy, ply, float32, float64 };
 
 struct AnswerLayout {

@@ -33,16 +33,17 @@ Image make_planes(const BakeOptions& options, std::size_t lights) {
   };
   for (std::size_t i = 0; i < lights; ++i)
     add(fmt::format("visibility.light{}", i), options.background);
-  for (std::size_t i = 0; i < lights; ++i) add(fmt::format("class.light{}", i), 0);
+  for (std::size_t i = 0; i < lights && options.has_classes; ++i)
+    add(fmt::format("class.light{}", i), 0);
   add("coverage", 0);
   return image;
 }
 
-BakePlanes planes_of(Image& image, std::size_t lights) {
+BakePlanes planes_of(Image& image, const BakeOptions& options, std::size_t lights) {
   BakePlanes planes;
   for (std::size_t i = 0; i < lights; ++i) {
     planes.visibility.push_back(&image.channels[i]);
-    planes.light_class.push_back(&image.channels[lights + i]);
+    if (options.has_classes) planes.light_class.push_back(&image.channels[lights + i]);
   }
   planes.covered.resize(std::size_t(image.width) * image.height);
   return planes;
@@ -77,7 +78,7 @@ Bake bake(const Scene& scene, const ShadowScene& shadows, const UvAtlas& atlas,
   result.threads = options.threads > 0
                        ? options.threads
                        : static_cast<std::uint32_t>(tbb::this_task_arena::max_concurrency());
-  BakePlanes planes = planes_of(result.image, lights);
+  BakePlanes planes = planes_of(result.image, options, lights);
   const BakeContext context{scene, shadows, atlas, options, SamplePattern(options.texel_samples)};
   std::mutex mutex;
   std::size_t done = 0;

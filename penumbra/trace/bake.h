@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <span>
 
 #include "penumbra/scene/image.h"
 #include "penumbra/scene/scene.h"
@@ -28,6 +27,7 @@ struct BakeOptions {
   std::uint32_t padding = 8;                  ///< texels around charts that get their values
   float background = 0;                       ///< value of all others
   BakeValue value = BakeValue::fraction;
+  bool has_classes = false;  ///< makes their channels
   std::uint64_t seed = 0;
   std::uint32_t threads = 0;  ///< 0: all
   /// Called with the finished share in [0, 1], from any thread, one call at a time.
@@ -50,8 +50,9 @@ struct BakeCounters {
 };
 
 struct Bake {
-  /// For each light N `visibility.lightN`, the visible fraction in [0, 1]; `class.lightN`: 0 lit, 1
-  /// penumbra, 2 umbra, of all of the texel; then `coverage`: 1 covered, 0.5 padding, 0 neither.
+  /// For each light N `visibility.lightN`, the visible fraction in [0, 1]; for each, where asked
+  /// for, `class.lightN`: 0 lit, 1 penumbra, 2 umbra, of all of the texel; then `coverage`: 1
+  /// covered, 0.5 padding, 0 neither.
   Image image;
   BakeCounters counters;
   double seconds = 0;
@@ -67,7 +68,8 @@ struct Bake {
 /// sample and light alone: the same bits for any number of threads, and for every method but
 /// `hard`. (4) Texels up to `padding` away from a covered one repeat the nearest; others are
 /// `background`, class 0.
-/// Does not throw. Memory: 4 bytes a texel and channel.
+/// Throws nothing but what `progress` throws. Memory: 4 bytes a texel and channel, and, while
+/// charts are padded, 9 more a texel.
 Bake bake(const Scene& scene, const ShadowScene& shadows, const UvAtlas& atlas,
           const BakeOptions& options);
 

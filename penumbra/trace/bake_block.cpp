@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "penumbra/trace/bake_block.h"
 
-#include <algorithm>
-#include <array>
-#include <span>
-
 #include "penumbra/shadow/hull_proof.h"
 #include "penumbra/trace/render.h"
 #include "penumbra/trace/texel_points.h"
@@ -119,7 +115,8 @@ class LightBaker {
       const Pixel at = points_.texels[texel];
       const std::size_t index = std::size_t(at.y) * context_.atlas.width + at.x;
       planes.visibility[light_]->values[index] = static_cast<float>(sum / double(each));
-      planes.light_class[light_]->values[index] = static_cast<float>(whole);
+      if (!planes.light_class.empty())
+        planes.light_class[light_]->values[index] = static_cast<float>(whole);
     }
   }
 

@@ -22,8 +22,9 @@ struct BakeContext {
 
 /// Where results go: a value a texel and light.
 struct BakePlanes {
-  std::vector<Channel*> visibility, light_class;  ///< of each light
-  std::vector<std::uint8_t> covered;              ///< not 0: has values
+  std::vector<Channel*> visibility;   ///< of each light
+  std::vector<Channel*> light_class;  ///< the same, or none at all
+  std::vector<std::uint8_t> covered;  ///< not 0: has values
 };
 
 /// Bakes the texels of a block of the atlas. The occluder cache starts empty; `visibility` is the

@@ -27,9 +27,7 @@ Footprint::Footprint(const TexelTriangle& triangle, const TexelSquare& square) {
   const auto clip = [this](auto depth) {
     std::array<TexelPoint, most_corners> kept;
     std::size_t kept_count = 0;
-    const auto keep = [&](const TexelPoint& p) {
-      if (kept_count < most_corners) kept[kept_count++] = p;
-    };
+    const auto keep = [&](const TexelPoint& p) { kept[kept_count++] = p; };
     for (std::size_t i = 0; i < count_; ++i) {
       const TexelPoint &a = corner_[i], &b = corner_[(i + 1) % count_];
       const double at_a = depth(a), at_b = depth(b);

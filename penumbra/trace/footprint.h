@@ -36,7 +36,10 @@ class Footprint {
   bool is_empty() const { return count_ < 3; }
 
  private:
-  static constexpr std::size_t most_corners = 7;
+  /// Seven, were coordinates exact. Where rounding bends the outline, an edge may cut it often: of
+  /// n corners i are kept and at most 2 min(i, n - i) new, so four edges make of 3 at most 4, 6,
+  /// 9, 13.
+  static constexpr std::size_t most_corners = 13;
   std::array<TexelPoint, most_corners> corner_;
   std::size_t count_ = 3;
 };

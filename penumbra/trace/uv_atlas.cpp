@@ -14,7 +14,10 @@ namespace {
 
 /// Texels that triangles may cover on the whole, for each texel of the texture.
 constexpr double most_layers = 64;
-constexpr double largest_uv = 1e6, slack = 1e-4;
+constexpr double slack = 1e-4;
+/// What double rounds of a texel's corners, that far out in the largest texture, is less of its
+/// area than what counts as cover (texel_points.cpp).
+constexpr double largest_uv = 1e3;
 
 enum class Place { inside, outside, flat, not_finite };
 

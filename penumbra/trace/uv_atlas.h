@@ -26,7 +26,7 @@ struct AtlasTriangle {
 /// Triangles that cannot be baked, in whole or in part.
 struct UvFaults {
   std::uint64_t flat = 0;        ///< without area in the texture
-  std::uint64_t not_finite = 0;  ///< coordinates that are not finite, or beyond 1e6
+  std::uint64_t not_finite = 0;  ///< coordinates that are not finite, or beyond 1000
   std::uint64_t outside = 0;     ///< reach out of [0, 1], by more than 1e-4: cut off there
 
   void add(const UvFaults& other) {

@@ -6,7 +6,7 @@ import struct
 
 from cli_case import CliTest, main
 
-SMALL = ["--size", "32x32", "--shadow-samples", "4", "--ground", "none"]
+SMALL = ["--size", "32x32", "--shadow-samples", "4"]
 LAMP = ["--light", "sphere", "1", "5", "1", "0.5"]
 
 
@@ -94,15 +94,41 @@ class Bake(CliTest):
         for which in ["d", "1"]:
             self.assertNotIn("warning", self.bake("two.gltf", "-o", "one.png", "--mesh", which).stderr)
 
+    def test_no_two_meshes_share_a_file(self):
+        names = ["a-3", "a", "b", "a"]
+        (self.folder / "four.gltf").write_text(gltf([(name, WHOLE) for name in names], range(4)))
+        self.bake("four.gltf", "-o", "o.png", "--per-mesh", "--stats", "s.json")
+        files = json.loads((self.folder / "s.json").read_text())["files"]
+        self.assertEqual(files[:3], ["o-a-3.png", "o-a.png", "o-b.png"])
+        self.assertEqual(len(set(files)), 4)
+        self.assertLessEqual(set(files), set(self.files()))
+
     def test_what_cannot_be_baked_is_refused_or_told(self):
-        self.fail_with(1, "bake", "small.nff", "-o", "x.png", says="no mesh has texture coordinates.*xatlas")
-        self.fail_with(1, "bake", "two.gltf", "-o", "x.png", "--uv-set", "1", says="Lightmap Pack")
-        self.fail_with(1, "bake", "two.gltf", "-o", "x.png", "--mesh", "x", says="no mesh x .*0 a b/c, 1 d")
-        self.fail_with(1, "bake", "none.obj", "-o", "x.png", says="no such file")
+        def fail(model, *more, says):
+            self.fail_with(1, "bake", model, "-o", "x.png", *more, *LAMP, says=says)
+
+        fail("small.nff", says="no mesh has texture coordinates.*xatlas")
+        fail("two.gltf", "--uv-set", "1", says="Lightmap Pack")
+        fail("two.gltf", "--mesh", "x", says="no mesh x .*0 a b/c, 1 d")
+        fail("floor.obj", "--mesh", "x", says=r"no mesh x .*: 0 \(no name\)")
+        fail("none.obj", says="no such file")
         (self.folder / "flat.obj").write_text(floor_obj("0 0\nvt 0 0\nvt 0 0\nvt 0 0"))
-        self.fail_with(1, "bake", "flat.obj", "-o", "x.png", says="none of its .* triangles has a place")
+        fail("flat.obj", says="none of its .* triangles has a place")
         (self.folder / "tiled.obj").write_text(floor_obj("0 0\nvt 3 0\nvt 3 3\nvt 0 3"))
         self.assertRegex(self.bake("tiled.obj", "-o", "x.png").stderr, "2 of 4 triangles reach out of the texture")
+
+    def test_neither_lights_nor_ground_are_added(self):
+        self.fail_with(1, "bake", "floor.obj", "-o", "x.png", says=r"^floor\.obj: has no lights; .*--light sun")
+        below = ["--light", "sphere", "1", "-5", "1", "0.5"]
+        result = self.succeed("bake", "floor.obj", "-o", "x.png", *SMALL, *LAMP, *below)
+        self.assertRegex(result.stderr, r"light0: sphere 1 5 1 0\.5.*\nlight1: sphere 1 -5 1 0\.5")
+        # Seen from below, with the turn of its corners.
+        (self.folder / "below.obj").write_text(floor_obj().replace("f 1/1 2/2 3/3 4/4", "f 4/4 3/3 2/2 1/1"))
+        for ground, lit in {"none": 0.5, "-1": 0}.items():
+            self.succeed("bake", "below.obj", "-o", "x.png", *SMALL, *below, "--ground", ground, "--stats", "s.json")
+            stats = json.loads((self.folder / "s.json").read_text())
+            self.assertGreaterEqual(stats["texel_classes"]["lit"], lit * stats["texels"]["covered"])
+            self.assertEqual(stats["texel_classes"]["lit"] == 0, lit == 0)
 
     def test_instances_share_no_texels(self):
         (self.folder / "many.gltf").write_text(gltf([("a", WHOLE), ("d", None)], [0, 0, 1]))
@@ -123,8 +149,8 @@ class Bake(CliTest):
         self.fail_with(2, "bake", "floor.obj", "-o", "x.exr", "--bits", "16", says="for .png")
         self.fail_with(2, "bake", "floor.obj", "-o", "x.png", "--bits", "16", "--srgb", says="choose one")
         self.fail_with(2, "bake", "two.gltf", "-o", "x.png", "--mesh", "d", "--per-mesh", says="choose one")
-        self.fail_with(2, "bake", "floor.obj", "-o", "x.exr", "--stats", "x.exr", says="same file")
-        self.fail_with(1, "bake", "floor.obj", "-o", "nowhere/x.png", says="cannot be written")
+        self.fail_with(2, "bake", "floor.obj", "-o", "x.exr", "--stats", "x.exr", *LAMP, says="same file")
+        self.fail_with(1, "bake", "floor.obj", "-o", "nowhere/x.png", *LAMP, says="cannot be written")
 
     def test_progress(self):
         result = self.bake("floor.obj", "-o", "x.png", "--progress")

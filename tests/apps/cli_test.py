@@ -372,6 +372,17 @@ class Compare(CliTest):
         self.assertEqual(self.compare(1, "a.exr", "b.exr")["rmse"], None)
         self.assertIn("1x1 pixels and 2x1", self.run_program("compare", "a.exr", "b.exr").stdout)
 
+    def test_files_without_colours_by_the_channels_that_both_have(self):
+        for name, channels in {"a": {"coverage": [1, 1], "visibility.light0": [0.5, 1]},
+                               "b": {"visibility.light0": [0.5, 1], "visibility.light1": [0, 0]},
+                               "c": {"visibility.light0": [0.25, 1]}, "d": {"Y": [0.5, 1]}}.items():
+            (self.folder / f"{name}.exr").write_bytes(exr(list(channels.values()), tuple(channels)))
+        self.assertEqual(self.compare(0, "a.exr", "b.exr")["channels"], ["visibility.light0"])
+        found = self.compare(1, "b.exr", "c.exr")
+        self.assertEqual((found["max_difference"], found["differing_pixels"]), (0.25, 1))
+        self.assertAlmostEqual(found["rmse"], (0.0625 / 2) ** 0.5)
+        self.fail_with(2, "compare", "a.exr", "d.exr", says=r"^d\.exr: has no channel that a\.exr has")
+
     def test_what_cannot_be_read_exits_with_2(self):
         self.write("a.exr", [0], [0], [0])
         (self.folder / "no_red.exr").write_bytes(exr([[0], [0]], names=("B", "G")))

@@ -48,6 +48,8 @@ class Completion(cli_case.CliTest):
         self.assertEqual(self.completed("penumbra render bust --method "),
                          ["hard", "stochastic", "offset", "reduced", "umbra", "shaft"])
         self.assertEqual(self.completed("penumbra render --method=sh"), ["shaft"])
+        self.assertEqual(self.completed("penumbra visibility bust --method "), ["shaft", "stochastic"])
+        self.assertEqual(self.completed("penumbra bake --bits "), ["8", "16"])
         self.assertEqual(self.completed("penumbra render --style sp"), ["space-filling"])
         self.assertEqual(self.completed("penumbra render --ground "), ["auto", "none"])
         self.assertEqual(self.completed("penumbra bench --embree-spheres "), ["native", "user"])
@@ -67,6 +69,15 @@ class Completion(cli_case.CliTest):
         self.assertEqual(self.completed("penumbra render bust --progress -o sm"), ["small.nff"])
         self.assertEqual(self.completed("penumbra render --output=sm"), ["small.nff"])
         self.assertEqual(self.completed("penumbra generate s"), [])
+
+    def test_the_program_may_be_in_a_home(self):
+        (self.folder / "bin").mkdir()
+        (self.folder / "bin/penumbra").symlink_to(self.program)
+        script = ('HOME=$PWD; source <("$1" completion bash); COMP_LINE="~/bin/penumbra ren"; '
+                  'COMP_POINT=${#COMP_LINE}; _penumbra penumbra; echo "${COMPREPLY[@]}"')
+        result = subprocess.run(["bash", "--norc", "-c", script, "bash", self.program], cwd=self.folder,
+                                capture_output=True, text=True, timeout=60, check=True)
+        self.assertEqual((result.stdout, result.stderr), ("render\n", ""))
 
     def test_what_cannot_be_completed_is_left_alone(self):
         for line in ("penumbra nothing ", "penumbra nothing --", "penumbra render --spp=", "penumbra render --no="):

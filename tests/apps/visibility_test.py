@@ -98,6 +98,16 @@ class Answers(VisibilityTest):
                 self.assertEqual(self.succeed(*command, "--fractions", *more).stdout, first)
         self.assertNotEqual(self.succeed(*command, "--fractions", "--seed", "5").stdout, first)
 
+    def test_classes_alone_take_no_samples(self):
+        self.put("p.npy", as_npy(floor_points(3000)))
+        command = ["visibility", "small.nff", "--points", "p.npy", *SUN, "--classes", "--stats", "s.json"]
+        first = self.succeed(*command).stdout
+        self.assertIn("umbra", first)
+        self.assertIn("penumbra", first)
+        self.assertEqual(json.loads((self.folder / "s.json").read_text())["rays"]["shadow"], 0)
+        self.assertEqual(self.succeed(*command, "--shadow-samples", "1", "--seed", "4").stdout, first)
+        self.succeed(*command, "-o", "seen.ply")
+
     def test_each_point_has_its_own_samples_and_each_light_too(self):
         self.put("p.csv", "1.1 0 0 0 0 1\n" * 50)
         rows = self.rows(self.succeed("visibility", "small.nff", "--points", "p.csv", "--shadow-samples", "8",
@@ -152,10 +162,16 @@ class Files(VisibilityTest):
             return list(array.array(kind, (self.folder / name).read_bytes()[skip:]))
 
         self.assertEqual(read("a.npy", "f", NPY_HEADER), fractions)
-        self.assertEqual(read("b.npy", "B", NPY_HEADER, "--classes"), classes)
+        both = (self.folder / "both.npy")
+        self.succeed(*command, "-o", both.name, "--classes", "--fractions")
+        self.assertEqual([row[:2] for row in struct.iter_unpack("<BBff", both.read_bytes()[NPY_HEADER:])],
+                         list(zip(classes[::2], classes[1::2])))
+        alone = read("b.npy", "B", NPY_HEADER, "--classes")
+        for in_passing, looked_for in zip(classes, alone):
+            self.assertIn(in_passing, [looked_for, 1])
         self.assertEqual(read("c.dat", "f", 0, "--output-format", "float"), fractions)
         self.assertEqual(read("d.dat", "d", 0, "--output-format", "double"), fractions)
-        self.assertEqual(read("e.dat", "f", 0, "--output-format", "float", "--classes"), classes)
+        self.assertEqual(read("e.dat", "f", 0, "--output-format", "float", "--classes"), alone)
         self.succeed(*command, "-o", "f.csv")
         self.assertEqual((self.folder / "f.csv").read_text(), self.succeed(*command, "-o", "-").stdout)
         self.succeed(*command, "-o", "g.ply")
@@ -200,7 +216,7 @@ class Trouble(VisibilityTest):
         self.fail_with(2, *command, "-o", "x.png", says="output-format")
         self.fail_with(2, *command, "--input-format", "xls", says="--input-format xls: expected one of csv")
         self.fail_with(2, *command, "--output-format", "float", "--classes", "--fractions", says="one kind")
-        self.fail_with(2, *command, "--method", "umbra", says="shaft or stochastic")
+        self.fail_with(2, *command, "--method", "umbra", says="--method umbra: expected one of shaft, stochastic")
         self.fail_with(2, *command, "-o", "p.csv", says="same file")
         for option, value in {"--offset": "-1", "--shadow-samples": "0", "--block": "0", "--seed": "x"}.items():
             self.fail_with(2, *command, option, value, says=f"{option} {value}: expected")
@@ -237,6 +253,15 @@ class Trouble(VisibilityTest):
         os.close(write_end)
         self.assertEqual(result.returncode, 1)
         self.assertIn(b"Broken pipe", result.stderr)
+
+    def test_pipes_of_a_shell_are_files_of_their_own(self):
+        script = ('"$0" visibility small.nff --points <(echo 0 0 3) --light sun 0 0 1 1 --output-format ascii '
+                  '-o >(cat > seen.txt) --stats >(cat > stats.json); wait; sleep 0.2')
+        result = subprocess.run(["bash", "-c", script, self.program], cwd=self.folder, capture_output=True, text=True,
+                                timeout=60, check=False)
+        self.assertRegex(result.stderr, "1 points, 1 light")
+        self.assertEqual((self.folder / "seen.txt").read_text(), "1\n")
+        self.assertEqual(json.loads((self.folder / "stats.json").read_text())["points"], 1)
 
     def test_ctrl_c_leaves_no_file(self):
         before = self.files()

@@ -112,7 +112,7 @@ class InstallTest(unittest.TestCase):
         self.assertIn(version.split()[1], (self.include / "penumbra/version.h").read_text())
         pages = {path.name for path in (self.prefix / "share/man/man1").iterdir()}
         self.assertLessEqual({"penumbra.1", "penumbra-render.1"}, pages)
-        for path in ("bash-completion/completions/penumbra", "zsh/vendor-completions/_penumbra",
+        for path in ("bash-completion/completions/penumbra", "zsh/site-functions/_penumbra",
                      "fish/vendor_completions.d/penumbra.fish", "doc/penumbra/README.md", "doc/penumbra/copyright"):
             self.assertTrue((self.prefix / "share" / path).is_file(), path)
 

@@ -2,27 +2,13 @@
 #include "penumbra/scene_io/byte_input.h"
 
 #include <gtest/gtest.h>
-#include <zlib.h>
 
+#include "tests/scene_io/gzip.h"
 #include "tests/scene_io/temporary_folder.h"
 #include "tests/scene_io/text_source.h"
 
 namespace penumbra {
 namespace {
-
-std::string gzip(const std::string& text) {
-  z_stream stream{};
-  deflateInit2(&stream, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
-  std::string out(deflateBound(&stream, text.size()) + 32, '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
-  stream.avail_in = static_cast<uInt>(text.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  deflate(&stream, Z_FINISH);
-  out.resize(stream.total_out);
-  deflateEnd(&stream);
-  return out;
-}
 
 /// Numbers in text, one a line: what is lost or doubled shows.
 std::string long_text() {

@@ -79,6 +79,23 @@ TEST(ReadPoints, names_in_any_order_and_case) {
   expect_two_points(points_of("# made by hand\n# nx ny nz x y z\n0 0 1 1 2 3\n0 2 0 -.5 1e10 4\n"));
 }
 
+TEST(ReadPoints, comments_are_free) {
+  for (const char* comment :
+       {"# x y z nx ny nz in metres", "#x y z of all of the grid", "# x y z nx", "# x y z x y z",
+        "#,x,y,z", "# X, Y and z\tx y z", "# x y z nx ny nz nx ny nz", "# x,y,z"}) {
+    SCOPED_TRACE(comment);
+    const std::string start = std::string(comment) + "\n";
+    expect_two_points(points_of(start + "1 2 3 0 0 1\n-.5 1e10 4 0 2 0\n"));
+    expect_two_points(
+        points_of(start + "x,y,z,nx,ny,nz\n" + start + "1,2,3,0,0,1\n-.5,1e10,4,0,2,0\n"));
+    EXPECT_EQ(points_of(start + "0 0 1\n").positions, (std::vector<Vec3f>{{0, 0, 1}}));
+  }
+  EXPECT_EQ(points_of("#x y z of the grid\n0 0 1\n").positions, (std::vector<Vec3f>{{0, 0, 1}}));
+  EXPECT_EQ(points_of("#" + std::string(998, ',') + "\n1 2 3\n").positions.size(), 1u);
+  EXPECT_EQ(points_of("# note x y z\nx 1 2 3\n").positions, (std::vector<Vec3f>{{1, 2, 3}}));
+  EXPECT_EQ(points_of("# z y x\n1,2,3\n").positions, (std::vector<Vec3f>{{3, 2, 1}}));
+}
+
 TEST(ReadPoints, without_normals) {
   for (const char* text :
        {"1 2 3\n4 5 6\n", "x,y,z\n1,2,3\n4,5,6\n", "z,x,y,id\n3,1,2,9\n6,4,5,8\n"}) {
@@ -277,6 +294,32 @@ TEST(ReadPoints, of_files_say_how_far_they_are) {
   }
   EXPECT_EQ(count, 200'000u);
   EXPECT_EQ(block.positions.size(), 0u);
+}
+
+TEST(ReadPoints, of_ply_come_through_pipes_as_they_are_written) {
+  for (const std::string line_end : {"\n", "\r\n"}) {
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    const auto put = [&](const std::string& text) {
+      EXPECT_EQ(write(ends[1], text.data(), text.size()), static_cast<ssize_t>(text.size()));
+    };
+    const std::string values = bytes_of<float>({1, 2, 3, 4, 5, 6});
+    for (const char* line :
+         {"ply", "format binary_little_endian 1.0", "comment end_header comes", "element vertex 2",
+          "property float x", "property float y", "property float z", "end_header"})
+      put(line + line_end);
+    put(values.substr(0, 12));
+    PointReader reader("/dev/fd/" + std::to_string(ends[0]));
+    PointBlock block;
+    ASSERT_TRUE(reader.next(block, 1));  // would wait forever, did it want more
+    EXPECT_EQ(block.positions.at(0), Vec3f(1, 2, 3));
+    put(values.substr(12));
+    ASSERT_TRUE(reader.next(block, 1));
+    EXPECT_EQ(block.positions.at(0), Vec3f(4, 5, 6));
+    close(ends[1]);
+    EXPECT_FALSE(reader.next(block, 1));
+    close(ends[0]);
+  }
 }
 
 TEST(ReadPoints, come_through_pipes_as_they_are_written) {

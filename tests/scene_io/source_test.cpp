@@ -2,12 +2,12 @@
 #include "penumbra/scene_io/source.h"
 
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <filesystem>
 #include <fstream>
 
 #include "penumbra/scene_io/write_scene.h"
+#include "tests/scene_io/gzip.h"
 #include "tests/scene_io/text_source.h"
 
 namespace penumbra {
@@ -26,20 +26,6 @@ class SourceTest : public testing::Test {
   std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) /
                                   testing::UnitTest::GetInstance()->current_test_info()->name();
 };
-
-std::string gzip(const std::string& text) {
-  z_stream stream{};
-  deflateInit2(&stream, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
-  std::string out(deflateBound(&stream, text.size()) + 32, '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
-  stream.avail_in = static_cast<uInt>(text.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  deflate(&stream, Z_FINISH);
-  out.resize(stream.total_out);
-  deflateEnd(&stream);
-  return out;
-}
 
 TEST_F(SourceTest, unpacks_by_content_and_names_by_extension) {
   const std::string text(3'000'000, 'x');

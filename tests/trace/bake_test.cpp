@@ -23,6 +23,7 @@ BakeOptions small(std::uint32_t size) {
   options.width = options.height = size;
   options.shadow_samples = 16;
   options.padding = 2;
+  options.has_classes = true;
   return options;
 }
 
@@ -84,6 +85,18 @@ TEST(Bake, IsTheSameForAnyNumberOfThreads) {
   }
   options.seed = 1;
   EXPECT_FALSE(same_bits(one.image, bake_scene(scene, options).image));
+}
+
+TEST(Bake, HasClassesWhereTheyAreAskedFor) {
+  BakeOptions options = small(30);
+  const Scene scene = tube_scene(BallLight{{4, 1, 2}, 0.5f});
+  const Bake with = bake_scene(scene, options);
+  options.has_classes = false;
+  const Bake without = bake_scene(scene, options);
+  EXPECT_EQ(with.image.channels.size(), 3u);
+  EXPECT_EQ(without.image.channels.size(), 2u);
+  EXPECT_TRUE(same_bits(values(with), without.image));
+  EXPECT_EQ(with.counters.penumbra, without.counters.penumbra);
 }
 
 TEST(Bake, PutsShadowsWhereTheTextureHasThem) {

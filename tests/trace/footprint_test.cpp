@@ -60,6 +60,28 @@ TEST(Footprint, OfASliverStaysOnIt) {
   }
 }
 
+TEST(Footprint, LosesNoCornerFarOutInTheLargestTexture) {
+  Noise noise;
+  constexpr double far = 1000 * 65536.0, least_area = 1e-7;
+  for (int trial = 0; trial < 1000; ++trial) {
+    TexelTriangle around = noise.triangle(far);
+    around[0].x = around[0].y = -far, around[1].x = far, around[1].y = -far;
+    around[2].x = 0, around[2].y = far;
+    const TexelSquare square{std::floor(noise(0, 65535)), std::floor(noise(0, 65535)), 1};
+    EXPECT_NEAR(texel_area(Footprint(around, square)), 1, least_area);
+    // Two triangles that share an edge through the square cover it together.
+    const TexelPoint middle{square.x + noise(0, 1), square.y + noise(0, 1), {}};
+    const double angle = noise(0, 7);
+    const double dx = std::cos(angle) * far / 2, dy = std::sin(angle) * far / 2;
+    const TexelPoint a{middle.x - dx, middle.y - dy, {}}, b{middle.x + dx, middle.y + dy, {}};
+    const TexelPoint left{middle.x - dy, middle.y + dx, {}},
+        right{middle.x + dy, middle.y - dx, {}};
+    EXPECT_NEAR(
+        texel_area(Footprint({a, b, left}, square)) + texel_area(Footprint({b, a, right}, square)),
+        1, least_area);
+  }
+}
+
 TEST(MayMeet, IsTrueWhereverTheyShareArea) {
   Noise noise;
   int apart = 0;
