@@ -192,11 +192,15 @@ class Asker {
     counters_.add(counters);
     done_ += count;
     if (!options_.progress || is_cancelled_) return;
-    // Whether it says so or throws: it is not called again.
-    is_cancelled_ = true;
     const double share = static_cast<double>(done_) / static_cast<double>(points_.positions.size());
-    // Where it waits for tasks of its own, none of ours is taken up, which would come back here.
-    is_cancelled_ = !tbb::this_task_arena::isolate([&] { return options_.progress(share); });
+    try {
+      // Where it waits for tasks of its own, none of ours is taken up, which would come back here.
+      if (!tbb::this_task_arena::isolate([&] { return options_.progress(share); }))
+        is_cancelled_ = true;
+    } catch (...) {
+      is_cancelled_ = true;  // it is not called again
+      throw;
+    }
   }
 
   const Committed& occluders_;

@@ -249,8 +249,13 @@ TEST(Occluders, let_progress_run_tasks_of_its_own) {
     tbb::parallel_for(0, 50, [&](int) { ++done; });
     return true;
   };
-  for (int i = 0; i < 20; ++i)
-    roof.occluders.visible_fraction(on_floor(points), lamp, {.threads = 8, .progress = work});
+  const auto truth = roof.occluders.visible_fraction(on_floor(points), lamp);
+  std::vector<float> out(points.size());
+  for (int i = 0; i < 20; ++i) {
+    std::fill(out.begin(), out.end(), -1.0f);
+    roof.occluders.visible_fraction(on_floor(points), lamp, out, {.threads = 8, .progress = work});
+    EXPECT_EQ(out, truth);
+  }
   EXPECT_GT(done, 0);
 }
 
