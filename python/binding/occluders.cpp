@@ -102,7 +102,11 @@ void bind_occluders(py::module_& m) {
   py::class_<CommitReport>(m, "CommitReport", "What a commit found.")
       .def_readonly("primitives", &CommitReport::primitives)
       .def_readonly("degenerate_triangles", &CommitReport::degenerate_triangles)
-      .def_readonly("is_refitted", &CommitReport::is_refitted);
+      .def_readonly("is_refitted", &CommitReport::is_refitted)
+      .def("__repr__", [](const CommitReport& r) {
+        return py::str("CommitReport(primitives={}, degenerate_triangles={}, is_refitted={})")
+            .format(r.primitives, r.degenerate_triangles, r.is_refitted);
+      });
 
   OccludersClass c(m, "Occluders");
   c.def(py::init<>())

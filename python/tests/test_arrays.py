@@ -28,7 +28,9 @@ class ArraysThatGoIn(unittest.TestCase):
         self.assertEqual(occluders.visible_fraction([[0, 0, 0]], LIGHT)[0], 0)
         positions[:, 0] += 100
         self.assertEqual(occluders.visible_fraction([[0, 0, 0]], LIGHT)[0], 0)
-        self.assertTrue(occluders.commit().is_refitted)
+        report = occluders.commit()
+        self.assertTrue(report.is_refitted)
+        self.assertIn("is_refitted=True", repr(report))
         self.assertEqual(occluders.visible_fraction([[0, 0, 0]], LIGHT)[0], 1)
 
     def test_arrays_live_as_long_as_the_occluders_read_them(self):
