@@ -71,11 +71,6 @@ float farthest(const Box& box) {
   return box.is_empty() ? 0 : std::max(max_abs(box.lo), max_abs(box.hi));
 }
 
-/// By which points are moved unless the caller says how far.
-float automatic_offset(const Committed& occluders, Vec3f position) {
-  return 0x1p-17f * std::max(farthest(occluders.kernel.bounds()), max_abs(position));
-}
-
 bool wants_class_alone(const Answers& answers) {
   return answers.visibility.empty() && answers.fraction.empty() && answers.free_samples.empty();
 }
@@ -181,7 +176,8 @@ class Asker {
   ShadowQuery query_of(std::size_t i) const {
     const Vec3f position = points_.positions[i];
     const Vec3f normal = points_.normals.empty() ? Vec3f{} : receiver_normal(points_.normals[i]);
-    const float offset = points_.offset ? *points_.offset : automatic_offset(occluders_, position);
+    const float offset =
+        points_.offset ? *points_.offset : 0x1p-17f * std::max(farthest_, max_abs(position));
     const std::uint64_t key = points_.keys.empty() ? points_.first_key + i : points_.keys[i];
     return {{offset != 0 ? position + normal * offset : position, normal},
             options_.light_index ? light_key(key, *options_.light_index) : key};

@@ -21,10 +21,9 @@ struct Answers {
   std::span<std::uint32_t> free_samples{};  ///< ceil(d / 32) words a point
 };
 
-/// Answers of what was committed. Blocks of
-/// points of fixed size are answered each by itself, so that no answer depends on the number of
-/// threads. Throws Error for arguments that cannot be meant, before anything is written, and
-/// Cancelled.
+/// Answers of what was committed. Blocks of points are answered each by itself, and their size does
+/// not depend on the number of threads, so that no answer does. Throws Error for arguments that
+/// cannot be meant, before anything is written, and Cancelled.
 ShadowCounters ask(const Committed& occluders, const Points& points, const LightShape& light,
                    const AskOptions& options, const Answers& answers);
 

@@ -24,7 +24,6 @@ struct Occluders::Data {
   std::mutex description_mutex;
   Description description;
   std::vector<std::shared_ptr<const void>> owners;
-  bool has_new_parts = true;  ///< something else than positions has changed since the last commit
 
   /// Held for the moment in which it is read or replaced.
   std::mutex committed_mutex;
@@ -106,7 +105,6 @@ GeometryId Occluders::add(const GeometryRows& rows) {
   require_few(rows.triangles.size());
   const std::lock_guard lock(data().description_mutex);
   const GeometryId id{add_to(data().description.geometries, rows, "geometries")};
-  data().has_new_parts = true;
   return id;
 }
 
@@ -167,7 +165,6 @@ InstanceId Occluders::add_instance(GroupId group, const Transform& placement) {
   at(data().description.groups, group.index, "group");
   const Instance instance{group.index, placement};
   const InstanceId id{add_to(data().description.instances, instance, "instances")};
-  data().has_new_parts = true;
   return id;
 }
 
@@ -195,13 +192,11 @@ void Occluders::keep(std::shared_ptr<const void> owner) {
 void Occluders::remove(GeometryId geometry) {
   const std::lock_guard lock(data().description_mutex);
   at(data().description.geometries, geometry.index, "geometry").reset();
-  data().has_new_parts = true;
 }
 
 void Occluders::remove(InstanceId instance) {
   const std::lock_guard lock(data().description_mutex);
   at(data().description.instances, instance.index, "instance").reset();
-  data().has_new_parts = true;
 }
 
 void Occluders::remove(GroupId group) {
@@ -219,7 +214,7 @@ CommitReport Occluders::commit(const CommitOptions& options) {
   CommitReport report{primitive_count(gathered.shapes), gathered.degenerate_triangles, false};
   const std::shared_ptr<const Committed> before = data().current();
   std::shared_ptr<const Committed> made;
-  const bool may_refit = before && options.may_refit && !data().has_new_parts;
+  const bool may_refit = before && options.may_refit;
   // The caller's own tasks, which may commit as well, are not taken up by a thread that waits here
   // and holds what they would wait for.
   tbb::this_task_arena::isolate([&] {
@@ -227,7 +222,6 @@ CommitReport Occluders::commit(const CommitOptions& options) {
     report.is_refitted = made != nullptr;
     if (!made) made = build(std::move(gathered));
   });
-  data().has_new_parts = false;
   const std::lock_guard swap_lock(data().committed_mutex);
   data().committed = std::move(made);
   return report;

@@ -58,8 +58,8 @@ struct PrimitiveId {
   constexpr bool operator==(const PrimitiveId&) const = default;
 };
 
-/// Surface points that ask. `positions` and `normals` in scene units and the occluders' frame. Where
-/// they are no numbers the class is penumbra, and the fraction means nothing.
+/// Surface points that ask. `positions` and `normals` in scene units and the occluders' frame.
+/// Where they are no numbers the class is penumbra, and the fraction means nothing.
 struct Points {
   VectorRows positions;
   /// Geometric normals, on the side that looks at the light; of samples below the plane nothing is
