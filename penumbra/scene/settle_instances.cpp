@@ -142,6 +142,8 @@ class Settler {
 
 }  // namespace
 
+bool has_quadrics(const ShapeSet& shapes) { return quadric_count(shapes) > 0; }
+
 bool can_place(const Transform& map) {
   for (int row = 0; row < 3; ++row) {
     const double size = max_abs(Vec3d{map.x_axis[row], map.y_axis[row], map.z_axis[row]});

@@ -21,6 +21,9 @@ struct SettledInstances {
 /// primitives and vertices, or twins as many triangles.
 SettledInstances settle_instances(ShapeSet& shapes);
 
+/// Whether there are spheres, cones or rings, which similarities alone can place.
+bool has_quadrics(const ShapeSet& shapes);
+
 /// Whether the kernel can place shapes by it: not flat, and the largest entry of each row from
 /// 1e-15 to 1e15 (see `make_placement`). Not for NaN.
 bool can_place(const Transform& map);

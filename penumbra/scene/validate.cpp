@@ -155,10 +155,6 @@ std::size_t check_meshes(std::vector<Mesh>& meshes, std::size_t materials, const
   return dropped;
 }
 
-bool is_quadric_free(const ShapeSet& shapes) {
-  return shapes.spheres.empty() && shapes.cones.empty() && shapes.rings.empty();
-}
-
 /// Instances that place something, as the kernel can have it.
 void check_instances(ShapeSet& shapes, const Checker& check) {
   for (std::size_t i = 0; i < shapes.instances.size(); ++i) {
@@ -168,7 +164,7 @@ void check_instances(ShapeSet& shapes, const Checker& check) {
     check.require(is_coordinate(map.offset) && can_place(map), "instance", i,
                   "has a placement that flattens, or numbers below 1e-15 or beyond 1e15",
                   "use settle_instances");
-    check.require(is_quadric_free(shapes.groups[group]) || similarity_scale(map) > 0, "instance", i,
+    check.require(!has_quadrics(shapes.groups[group]) || similarity_scale(map) > 0, "instance", i,
                   "stretches spheres, cones or rings", "use settle_instances");
   }
   std::erase_if(shapes.instances, [&](const Instance& instance) {

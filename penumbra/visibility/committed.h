@@ -29,8 +29,8 @@ struct Committed {
 /// Cost: O(n log n) over all cores.
 std::shared_ptr<const Committed> build(GatheredShapes gathered);
 
-/// The same for shapes that have moved since `before`, in linear time; null where something else
-/// has changed.
+/// The same for shapes that have moved since `before`, in linear time; null where others are there
+/// (numbers are not given twice, so that names tell).
 std::shared_ptr<const Committed> refitted(const Committed& before, GatheredShapes& gathered);
 
 }  // namespace penumbra

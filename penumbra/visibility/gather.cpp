@@ -152,17 +152,13 @@ std::size_t read_all(const Numbered<GeometryRows>& geometries, const std::string
   return degenerate;
 }
 
-bool is_quadric_free(const ShapeSet& shapes) {
-  return shapes.spheres.empty() && shapes.cones.empty() && shapes.rings.empty();
-}
-
 void check_placement(const Transform& map, const ShapeSet& group, std::uint32_t number) {
   const auto require = [&](bool holds, const char* what, const char* hint) {
     if (!holds) throw Error({}, fmt::format("instance {} {}", number, what), hint);
   };
   require(is_coordinate(map.offset) && can_place(map),
           "has a placement that flattens, or numbers below 1e-15 or beyond 1e15", coordinate_hint);
-  require(is_quadric_free(group) || similarity_scale(map) > 0, "stretches spheres, cones or disks",
+  require(!has_quadrics(group) || similarity_scale(map) > 0, "stretches spheres, cones or disks",
           "scale them alike in all directions, or use meshes");
 }
 

@@ -235,8 +235,7 @@ TEST_F(CApi, GivesTheWaysToSamples) {
     std::vector<Vec3f> same(ways.size());
     expect_ok(penumbra_light_samples(&light, &position.x, penumbra_light_key(17, 2), 0, 1,
                                      &same[0].x, same.size()));
-    EXPECT_EQ(same, ways);
-    EXPECT_TRUE(same_bits(ways, light_samples(shape, position, 17, 33, 2))) << light.kind;
+    EXPECT_TRUE(same == ways && same_bits(ways, light_samples(shape, position, 17, 33, 2)));
   }
 }
 
